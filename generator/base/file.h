@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace collage {
+
+/// The whole content of a regular file. Throws Error where it is missing, not a regular file (a
+/// folder, a device, a pipe), not readable, or larger than `limit_bytes`.
+std::string read_file(const std::filesystem::path& path,
+                      std::uintmax_t limit_bytes = std::uintmax_t{4} << 30);
+
+/// Writes a file whole or not at all: to a temporary name in the same folder, then renamed. Makes
+/// missing folders. Throws Error naming `path` where the disk is full or the folder unwritable.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// A file written piece by piece, under the same promise: it appears under its name by commit(),
+/// and an object that dies without leaves nothing behind.
+class FileWriter {
+ public:
+  explicit FileWriter(std::filesystem::path path);
+  ~FileWriter();
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  void append(std::string_view text);
+  void commit();
+
+ private:
+  void flush();
+  [[noreturn]] void fail(const char* action) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  std::string buffer_;
+  int descriptor_ = -1;
+};
+
+/// Renames within one folder's file system, replacing `to`; the rename is durable.
+void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// SHA-256 as 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+}  // namespace collage

@@ -1,0 +1,150 @@
+#include "geometry/closest_point.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace collage {
+namespace {
+
+/// One device for the process. Hierarchies are built on one thread, so that they, and with them the
+/// choice between equally near triangles, do not depend on the number of threads.
+RTCDevice device() {
+  static const RTCDevice instance = rtcNewDevice("threads=1,set_affinity=0");
+  return instance;
+}
+
+struct Search {
+  const Mesh* mesh;
+  ClosestPointIndex::Surface surface;
+  dvec3 query;
+  ClosestPoint best;
+};
+
+float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  return nearest < x ? std::nextafter(nearest, std::numeric_limits<float>::max()) : nearest;
+}
+
+dvec3 closest_corner(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const auto squared = [&](const dvec3& v) { return glm::dot(v - p, v - p); };
+  const dvec3& ab = squared(b) < squared(a) ? b : a;
+  return squared(c) < squared(ab) ? c : ab;
+}
+
+bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
+  auto& search = *static_cast<Search*>(arguments->userPtr);
+  const std::uint32_t triangle = arguments->primID;
+  const dvec3 a = search.mesh->corner(triangle, 0);
+  const dvec3 b = search.mesh->corner(triangle, 1);
+  const dvec3 c = search.mesh->corner(triangle, 2);
+  const dvec3 point = search.surface == ClosestPointIndex::Surface::triangles
+                          ? closest_point_on_triangle(search.query, a, b, c)
+                          : closest_corner(search.query, a, b, c);
+  const double distance = glm::distance(search.query, point);
+  if (distance >= search.best.distance) {
+    return false;
+  }
+  search.best = {point, distance, triangle};
+  arguments->query->radius = rounded_up(distance);
+  return true;
+}
+
+}  // namespace
+
+dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 ab = b - a;
+  const dvec3 ac = c - a;
+  const dvec3 ap = p - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) {
+    return a;
+  }
+  const dvec3 bp = p - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    return a + ab * (d1 / (d1 - d3));
+  }
+  const dvec3 cp = p - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    return a + ac * (d2 / (d2 - d6));
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+    return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  }
+  const double denominator = 1.0 / (va + vb + vc);
+  return a + ab * (vb * denominator) + ac * (vc * denominator);
+}
+
+struct ClosestPointIndex::Hierarchy {
+  /// Only positions and triangles.
+  Mesh mesh;
+  Surface surface;
+  RTCScene scene;
+
+  Hierarchy(const Mesh& source, Surface what) : surface(what), scene(rtcNewScene(device())) {
+    mesh.positions = source.positions;
+    mesh.triangles = source.triangles;
+    const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<glm::vec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(glm::vec3), mesh.positions.size()));
+    auto* indices = static_cast<uvec3*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(uvec3), mesh.triangles.size()));
+    if ((vertices == nullptr && !mesh.positions.empty()) ||
+        (indices == nullptr && !mesh.triangles.empty())) {
+      throw std::bad_alloc();
+    }
+    std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitScene(scene);
+  }
+  ~Hierarchy() { rtcReleaseScene(scene); }
+  Hierarchy(const Hierarchy&) = delete;
+  Hierarchy& operator=(const Hierarchy&) = delete;
+};
+
+ClosestPointIndex::ClosestPointIndex(const Mesh& mesh, Surface surface)
+    : hierarchy_(std::make_unique<Hierarchy>(mesh, surface)) {}
+ClosestPointIndex::~ClosestPointIndex() = default;
+ClosestPointIndex::ClosestPointIndex(ClosestPointIndex&&) noexcept = default;
+ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = default;
+
+std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance) const {
+  RTCPointQuery sphere{static_cast<float>(query.x), static_cast<float>(query.y),
+                       static_cast<float>(query.z), 0.0F, rounded_up(max_distance)};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  Search search{&hierarchy_->mesh, hierarchy_->surface, query, {{}, max_distance, 0}};
+  rtcPointQuery(hierarchy_->scene, &sphere, &context, visit_triangle, &search);
+  if (search.best.distance >= max_distance) {
+    return std::nullopt;
+  }
+  return search.best;
+}
+
+}  // namespace collage

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "geometry/mesh.h"
+
+namespace collage {
+
+struct ClosestPoint {
+  dvec3 point{0.0};
+  /// From the query to `point`, exact for the stored mesh up to rounding in double.
+  double distance = 0.0;
+  std::uint32_t triangle = 0;
+};
+
+/// The point of triangle abc nearest to p (Ericson 2005, "Real-Time Collision Detection", 5.1.5).
+dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c);
+
+/// Finds the nearest point of a mesh that lies within the unit ball round the origin.
+///
+/// The hierarchy is Embree's and its boxes are float, so a triangle may be passed over that is
+/// nearer by less than `error(query)`: the true distance is in [distance - error, distance].
+/// Safe to query from many threads. Build O(n log n), query O(log n) for usual meshes.
+class ClosestPointIndex {
+ public:
+  /// What counts as the surface: all of each triangle, or its corners alone (Muhm 2011, V.3).
+  enum class Surface { triangles, vertices };
+
+  explicit ClosestPointIndex(const Mesh& mesh, Surface surface = Surface::triangles);
+  ~ClosestPointIndex();
+  ClosestPointIndex(ClosestPointIndex&&) noexcept;
+  ClosestPointIndex& operator=(ClosestPointIndex&&) noexcept;
+
+  /// Nothing where no point is nearer than `max_distance`.
+  [[nodiscard]] std::optional<ClosestPoint> find(const dvec3& query, double max_distance) const;
+
+  /// How much too long a found distance can be. Rounding of a vertex (≤ 1) and of the query to
+  /// float moves each by at most 2⁻²⁴ √3 of its length, and Embree's arithmetic on boxes adds a few
+  /// units in the last place; 10⁻⁶ is over twice their sum.
+  [[nodiscard]] static double error(const dvec3& query) {
+    return 1e-6 * (1.0 + glm::length(query));
+  }
+
+ private:
+  struct Hierarchy;
+  std::unique_ptr<Hierarchy> hierarchy_;
+};
+
+}  // namespace collage

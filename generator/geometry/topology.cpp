@@ -1,0 +1,73 @@
+#include "geometry/topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace collage {
+namespace {
+
+std::vector<std::uint32_t> weld(const std::vector<dvec3>& positions) {
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) {
+    const dvec3& p = positions[i];
+    return std::tuple(p.x, p.y, p.z, i);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<std::uint32_t> first(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+}  // namespace
+
+Topology::Topology(const Mesh& mesh) : welded_(weld(mesh.positions)) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uvec3 corners = welded_triangle(mesh, *this, t);
+    if (has_two_equal(corners)) {
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k];
+      const std::uint32_t to = corners[(k + 1) % 3];
+      uses_.push_back({std::min(from, to), std::max(from, to), t, from < to});
+    }
+  }
+  std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  for (std::size_t i = 0; i < uses_.size(); ++i) {
+    const bool same =
+        i > 0 && uses_[i].low == uses_[i - 1].low && uses_[i].high == uses_[i - 1].high;
+    if (!same) {
+      starts_.push_back(i);
+    }
+  }
+  starts_.push_back(uses_.size());
+}
+
+DisjointSets::DisjointSets(std::size_t n) : parent_(n) {
+  std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t a) {
+  while (parent_[a] != a) {
+    parent_[a] = parent_[parent_[a]];
+    a = parent_[a];
+  }
+  return a;
+}
+
+void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
+  a = find(a);
+  b = find(b);
+  parent_[std::max(a, b)] = std::min(a, b);
+}
+
+}  // namespace collage

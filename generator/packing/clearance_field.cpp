@@ -1,0 +1,97 @@
+#include "packing/clearance_field.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "packing/rounding.h"
+
+namespace collage {
+
+ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Status& status)
+    : grid_(grid) {
+  const std::size_t blocks = grid_.block_count();
+  const std::size_t voxels = blocks * VoxelGrid::block_voxels;
+  require_memory(voxels * (sizeof(float) + sizeof(SurfaceId)), "the voxels", "target.resolution");
+  clearance_.assign(voxels, -1.0F);
+  nearest_.assign(voxels, target_surface);
+  leaves_ = std::bit_ceil(blocks);
+  maxima_.assign(2 * leaves_, -1.0F);
+
+  const glm::ivec3 n = grid_.blocks();
+  const std::size_t layer = static_cast<std::size_t>(n.x) * n.y;
+  for (int z = 0; z < n.z; ++z) {
+    if (status.stop_requested()) {
+      throw Interrupted();
+    }
+    const std::size_t first = static_cast<std::size_t>(z) * layer;
+    tbb::parallel_for(first, first + layer, [&](std::size_t index) { sample(target, index); });
+    status.update(static_cast<double>(z + 1) / n.z, "distances");
+  }
+  for (std::size_t index = 0; index < blocks; ++index) {
+    set_block_maximum(index, scan_block(index));
+  }
+  voxels_inside_ = static_cast<std::size_t>(
+      std::count_if(clearance_.begin(), clearance_.end(), [](float c) { return c >= 0.0F; }));
+}
+
+void ClearanceField::sample(const Target& target, std::size_t block_index) {
+  const Block view = block(block_index);
+  for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
+    const glm::ivec3 voxel = view.first_voxel + VoxelGrid::local_at(slot);
+    if (glm::all(glm::lessThan(voxel, grid_.size))) {
+      const double clearance = target.clearance(grid_.sample_point(voxel));
+      view.clearance[slot] = rounded_down(clearance);
+    }
+  }
+}
+
+ClearanceField::Block ClearanceField::block(std::size_t index) {
+  const std::size_t first = index * VoxelGrid::block_voxels;
+  return {grid_.block_at(index) * VoxelGrid::block_side, &clearance_[first], &nearest_[first]};
+}
+
+float ClearanceField::scan_block(std::size_t index) const {
+  const auto first = clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
+  float maximum = -1.0F;
+  for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
+    maximum = std::max(maximum, first[static_cast<std::ptrdiff_t>(slot)]);
+  }
+  return maximum;
+}
+
+void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
+  std::size_t node = leaves_ + index;
+  maxima_[node] = maximum;
+  while (node > 1) {
+    node /= 2;
+    const float winner = std::max(maxima_[2 * node], maxima_[2 * node + 1]);
+    if (maxima_[node] == winner) {
+      return;
+    }
+    maxima_[node] = winner;
+  }
+}
+
+Hole ClearanceField::largest_hole() const {
+  const float maximum = maxima_[1];
+  if (maximum <= 0.0F) {
+    return {};
+  }
+  std::size_t node = 1;
+  while (node < leaves_) {
+    node = maxima_[2 * node] == maximum ? 2 * node : 2 * node + 1;
+  }
+  const std::size_t index = node - leaves_;
+  const auto first = clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
+  const auto at = std::find(first, first + VoxelGrid::block_voxels, maximum);
+  const glm::ivec3 voxel = grid_.block_at(index) * VoxelGrid::block_side +
+                           VoxelGrid::local_at(static_cast<std::size_t>(at - first));
+  return {grid_.sample_point(voxel), maximum,
+          nearest_[static_cast<std::size_t>(at - clearance_.begin())]};
+}
+
+}  // namespace collage

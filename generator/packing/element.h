@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/bounding_sphere.h"
+#include "geometry/solid.h"
+#include "packing/options.h"
+
+namespace collage {
+
+/// A mesh made ready to be placed. Its unit frame has the smallest enclosing sphere as unit ball.
+class Element {
+ public:
+  /// `distance` says what distances to the element will be measured to.
+  explicit Element(const Mesh& mesh, Distance distance = Distance::exact);
+
+  /// The element's size: radius of the smallest enclosing sphere, in the mesh's units.
+  [[nodiscard]] double size() const { return solid_.radius(); }
+  [[nodiscard]] const dvec3& center() const { return solid_.center(); }
+  [[nodiscard]] const Solid& solid() const { return solid_; }
+  /// Unit vector from the centre to the farthest vertex.
+  [[nodiscard]] const dvec3& farthest_direction() const { return farthest_direction_; }
+  [[nodiscard]] std::size_t faces() const { return faces_; }
+
+  /// Answers with distances in the unit frame.
+  [[nodiscard]] const ClosestPointIndex& distance_index() const {
+    return vertices_ ? *vertices_ : solid_.surface();
+  }
+
+ private:
+  Element(const Mesh& mesh, const Sphere& sphere, Distance distance);
+
+  Solid solid_;
+  /// Only where distances are approximated by those to the vertices.
+  std::optional<ClosestPointIndex> vertices_;
+  dvec3 farthest_direction_;
+  std::size_t faces_;
+};
+
+}  // namespace collage

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/status.h"
+#include "packing/choose.h"
+#include "packing/clearance_field.h"
+#include "packing/element.h"
+#include "packing/instance.h"
+#include "packing/options.h"
+
+namespace collage {
+
+/// Instance n draws its random numbers from stream `placement_stream` + n.
+inline constexpr std::uint64_t placement_stream = 0x706c6163656d656eULL;
+
+/// An element with what the scene says about its use.
+struct Ingredient {
+  const Element& element;
+  std::vector<double> scales{1.0};
+  double weight = 1.0;
+};
+
+struct Packing {
+  std::vector<Instance> instances;
+  glm::ivec3 voxels{0};
+  std::size_t voxels_inside_target = 0;
+  std::size_t voxels_inside_instances = 0;
+  /// Radius of the largest hole left at a voxel, in world units.
+  double largest_hole = 0.0;
+  double place_seconds = 0.0;
+  double update_seconds = 0.0;
+
+  [[nodiscard]] double fill_by_voxels() const {
+    return voxels_inside_target == 0 ? 0.0
+                                     : static_cast<double>(voxels_inside_instances) /
+                                           static_cast<double>(voxels_inside_target);
+  }
+};
+
+/// Fills the field with elements, biggest first (Muhm 2011, Fig. 9), until the largest hole is
+/// smaller than the threshold or than every element. `longest_side` is the target's: the unit of
+/// the lengths in `options`. Uses the field up.
+/// Throws Interrupted where the user stops it.
+Packing pack(const Target& target, ClearanceField& field, std::span<const Ingredient> ingredients,
+             const PackingOptions& options, Status& status);
+
+/// Share of the target's volume that the instances take, by the volumes of the solids.
+double fill(const Target& target, std::span<const Ingredient> ingredients,
+            std::span<const Instance> instances);
+
+}  // namespace collage

@@ -1,0 +1,89 @@
+#include "scene/composition_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace collage {
+namespace {
+
+using Corners = std::array<dvec3, 8>;
+
+Corners corners_of(const Box& box) {
+  Corners corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i] = {(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                  (i & 4) != 0 ? box.max.z : box.min.z};
+  }
+  return corners;
+}
+
+/// Vertices that triangles use.
+template <class Visit>
+void for_each_vertex(const Mesh& mesh, Visit visit) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      visit(mesh.corner(t, k));
+    }
+  }
+}
+
+/// Calls `visit` with the vertices of each instance that has a corner for which `stands_out`. As
+/// that and `visit` measure something convex, the others' vertices cannot matter.
+template <class StandsOut, class Visit>
+void for_each_outstanding_vertex(const Composition& composition, StandsOut stands_out,
+                                 Visit visit) {
+  std::vector<Corners> corners;
+  for (const Composition::Element& element : composition.elements) {
+    corners.push_back(corners_of(bounding_box(element.mesh)));
+  }
+  for (const Instance& instance : composition.instances) {
+    const Corners& of_element = corners[instance.element];
+    if (std::any_of(of_element.begin(), of_element.end(), [&](const dvec3& corner) {
+          return stands_out(instance.world_from_element(corner));
+        })) {
+      for_each_vertex(composition.elements[instance.element].mesh,
+                      [&](const dvec3& vertex) { visit(instance.world_from_element(vertex)); });
+    }
+  }
+}
+
+Box box_of_instances(const Composition& composition) {
+  Box box;
+  for_each_outstanding_vertex(
+      composition,
+      [&](const dvec3& p) {
+        return glm::any(glm::lessThan(p, box.min)) || glm::any(glm::greaterThan(p, box.max));
+      },
+      [&](const dvec3& p) { box.include(p); });
+  return composition.instances.empty() ? composition.target_box : box;
+}
+
+double radius_round(const dvec3& axis, const Composition& composition) {
+  const auto distance = [&](const dvec3& p) { return std::hypot(p.x - axis.x, p.z - axis.z); };
+  double radius = 0.0;
+  const auto include = [&](const dvec3& p) { radius = std::max(radius, distance(p)); };
+  if (composition.target != nullptr) {
+    for_each_vertex(*composition.target, include);
+  }
+  for_each_outstanding_vertex(
+      composition, [&](const dvec3& p) { return distance(p) > radius; }, include);
+  return radius;
+}
+
+}  // namespace
+
+CompositionBounds bounds_of(const Composition& composition) {
+  CompositionBounds bounds;
+  bounds.instances = box_of_instances(composition);
+  Box both = bounds.instances;
+  if (composition.target != nullptr) {
+    both.include(composition.target_box.min);
+    both.include(composition.target_box.max);
+  }
+  bounds.radius = radius_round(both.center(), composition);
+  return bounds;
+}
+
+}  // namespace collage

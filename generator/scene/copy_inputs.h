@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "scene/sculpture.h"
+
+namespace collage {
+
+/// Copies an input into the folder of a sculpture, as meshes/<role>/<its name>, and the other files
+/// that it uses beside it under the same relative names. `files` starts with the input itself;
+/// files that lie outside its folder are left out, with a note. Throws Error where a file cannot be
+/// read or written.
+Sculpture::Input copy_inputs(const std::vector<std::filesystem::path>& files,
+                             const std::filesystem::path& folder, const std::string& role,
+                             Status& status);
+
+}  // namespace collage

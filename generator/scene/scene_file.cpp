@@ -1,0 +1,216 @@
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "scene/option_check.h"
+#include "scene/options_table.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 20;
+/// toml++ limits the depth of brackets and braces, but each dot of a.a.a.a opens a table as well,
+/// and its destructor recurses: some hundred thousand of them would overflow the stack.
+constexpr std::ptrdiff_t most_dots = 10000;
+
+template <class Item>
+std::optional<OptionValue> list_value(const toml::array& array) {
+  std::vector<Item> list;
+  for (const toml::node& node : array) {
+    const auto item = node.is_boolean() ? std::nullopt : node.value<Item>();
+    if (!item) {
+      return std::nullopt;
+    }
+    list.push_back(*item);
+  }
+  return list;
+}
+
+/// Nothing for what no option takes: dates, tables, lists of lists, mixed lists.
+std::optional<OptionValue> option_value(const toml::node& node) {
+  if (const auto* array = node.as_array()) {
+    const auto numbers = list_value<double>(*array);
+    return numbers ? numbers : list_value<std::string>(*array);
+  }
+  if (const auto* value = node.as_boolean()) {
+    return value->get();
+  }
+  if (const auto* value = node.as_integer()) {
+    return value->get();
+  }
+  if (const auto* value = node.as_floating_point()) {
+    return value->get();
+  }
+  if (const auto* value = node.as_string()) {
+    return value->get();
+  }
+  return std::nullopt;
+}
+
+int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
+
+/// Takes one parsed file over into a scene.
+class Reader {
+ public:
+  explicit Reader(fs::path file) : file_(std::move(file)) {}
+
+  Scene scene(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+      read_section(key, node);
+    }
+    require_target(root);
+    require_elements(root);
+    return std::move(scene_);
+  }
+
+ private:
+  [[nodiscard]] Place at(const toml::source_region& region) const {
+    return {file_, line_of(region)};
+  }
+
+  void read_section(const toml::key& key, const toml::node& node) {
+    const std::string name(key.str());
+    const auto& sections = option_sections();
+    if (std::find(sections.begin(), sections.end(), name) == sections.end()) {
+      refuse_unknown(key, "section [" + name + "]", sections);
+    }
+    if (name == "element") {
+      read_elements(key, node);
+    } else if (const auto* table = node.as_table()) {
+      read_keys(name, 0, *table);
+    } else {
+      throw Error(at(key.source()), "'" + name + "' is a section", "write [" + name + "]");
+    }
+  }
+
+  void read_elements(const toml::key& key, const toml::node& node) {
+    const auto* array = node.as_array();
+    const bool tables = array != nullptr && array->is_homogeneous(toml::node_type::table);
+    if (!tables) {
+      throw Error(at(key.source()), "'element' is a list of sections", "write [[element]]");
+    }
+    for (const toml::node& element : *array) {
+      scene_.elements.emplace_back();
+      read_keys("element", scene_.elements.size() - 1, *element.as_table());
+    }
+  }
+
+  void read_keys(const std::string& section, std::size_t element, const toml::table& table) {
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      const Option* option =
+          name.find('.') == std::string::npos ? find_option(section + "." + name) : nullptr;
+      if (option == nullptr) {
+        refuse_unknown(key, "key '" + name + "' in [" + section + "]", names_in(section));
+      }
+      read_value(*option, element, key, node);
+    }
+  }
+
+  void read_value(const Option& option, std::size_t element, const toml::key& key,
+                  const toml::node& node) {
+    const OptionSource source{at(key.source()), file_.parent_path()};
+    const auto value = option_value(node);
+    if (!value) {
+      throw Error(source.place, option.full_key(element) + " is of the wrong type",
+                  "use " + accepted_values(option));
+    }
+    option.store(scene_, element, checked(option, element, *value, source));
+  }
+
+  [[noreturn]] void refuse_unknown(const toml::key& key, const std::string& what,
+                                   const std::vector<std::string>& known) const {
+    std::string remedy = did_you_mean(std::string(key.str()), known);
+    if (remedy.empty()) {
+      remedy = "use one of";
+      for (const std::string& name : known) {
+        remedy += (&name == &known.front() ? " " : ", ") + name;
+      }
+    }
+    throw Error(at(key.source()), "there is no " + what, remedy);
+  }
+
+  [[nodiscard]] static std::vector<std::string> names_in(const std::string& section) {
+    std::vector<std::string> names;
+    for (const Option& option : options_table()) {
+      if (option.section() == section) {
+        names.push_back(option.name());
+      }
+    }
+    return names;
+  }
+
+  void require_target(const toml::table& root) const {
+    const auto* section = root["target"].as_table();
+    if (section == nullptr) {
+      throw Error({file_}, "has no target", "add [target] with mesh = \"shape.obj\"");
+    }
+    const auto* mesh = section->get("mesh");
+    const auto* sdf = section->get("sdf");
+    if (mesh == nullptr && sdf == nullptr) {
+      throw Error(at(section->source()), "[target] has no shape", "add mesh = \"shape.obj\"");
+    }
+    if (mesh != nullptr && sdf != nullptr) {
+      const int line = std::max(line_of(mesh->source()), line_of(sdf->source()));
+      throw Error({file_, line}, "[target] has both mesh and sdf", "keep one of them");
+    }
+  }
+
+  void require_elements(const toml::table& root) const {
+    if (scene_.elements.empty()) {
+      throw Error({file_}, "has no element", "add [[element]] with mesh = \"shape.obj\"");
+    }
+    for (const toml::node& element : *root["element"].as_array()) {
+      if (!element.as_table()->contains("mesh")) {
+        throw Error(at(element.source()), "this [[element]] has no mesh",
+                    "add mesh = \"shape.obj\"");
+      }
+    }
+  }
+
+  fs::path file_;
+  Scene scene_;
+};
+
+toml::table parsed(const fs::path& file) {
+  const std::string content = read_file(file, largest_file_bytes);
+  if (std::count(content.begin(), content.end(), '.') > most_dots) {
+    throw Error({file}, "has more than 10000 dots, too many for a scene",
+                "check that it is a scene file");
+  }
+  try {
+    return toml::parse(std::string_view(content));
+  } catch (const toml::parse_error& error) {
+    throw Error({file, line_of(error.source())}, std::string(error.description()),
+                "write it as TOML has it, https://toml.io");
+  }
+}
+
+std::string name_of(const fs::path& file) {
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+  return file.filename() == "scene.toml" && folder.has_filename() ? folder.filename().string()
+                                                                  : file.stem().string();
+}
+
+}  // namespace
+
+Scene read_scene(const fs::path& path) {
+  std::error_code ignored;  // what cannot be looked at is reported by read_file()
+  const fs::path file = fs::is_directory(path, ignored) ? path / "scene.toml" : path;
+  Scene scene = Reader(file).scene(parsed(file));
+  scene.name = name_of(file);
+  scene.file = file;
+  return scene;
+}
+
+}  // namespace collage

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "packing/instance.h"
+#include "scene/scene.h"
+
+namespace collage {
+
+/// A finished packing with everything needed to make it again or to judge it. All paths in it are
+/// relative to the folder of sculpture.json, which holds copies of the inputs, so that the folder
+/// can be moved and holds the same bytes wherever it is.
+struct Sculpture {
+  struct Input {
+    /// "meshes/element-0/teacup.obj"
+    std::filesystem::path path;
+    /// Of the file's content, 64 hexadecimal digits.
+    std::string sha256;
+  };
+  struct Element : Input {
+    std::string name;
+    /// Radius of the mesh's smallest enclosing sphere, in the mesh's units.
+    double size = 0.0;
+  };
+
+  /// Of the program that made it, "0.1.0".
+  std::string version;
+  /// The command line that made it, for people.
+  std::string command;
+  /// Everything that was asked for; its seed is the sculpture's seed.
+  Scene options;
+  Input target;
+  /// As many as options.elements, in the same order.
+  std::vector<Element> elements;
+  /// In the order of placement.
+  std::vector<Instance> instances;
+};
+
+}  // namespace collage

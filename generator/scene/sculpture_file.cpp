@@ -1,0 +1,207 @@
+#include "scene/sculpture_file.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "scene/json_reader.h"
+#include "scene/json_text.h"
+#include "scene/options_json.h"
+
+namespace collage {
+namespace {
+
+using json_reader::for_each_item;
+using json_reader::json;
+using json_reader::natural;
+using json_reader::number;
+using json_reader::positive;
+using json_reader::Problem;
+using json_reader::text;
+using json_reader::within;
+namespace fs = std::filesystem;
+
+constexpr double quaternion_tolerance = 1e-6;
+
+/// The options as they are in the finished folder: inputs and template are the copies in it.
+Scene with_copies(const Sculpture& sculpture) {
+  Scene scene = sculpture.options;
+  (scene.target.mesh.empty() ? scene.target.sdf : scene.target.mesh) = sculpture.target.path;
+  for (std::size_t k = 0; k < scene.elements.size(); ++k) {
+    scene.elements[k].mesh = sculpture.elements.at(k).path;
+  }
+  scene.render.look = std::filesystem::path(scene.render.look).filename().string();
+  return scene;
+}
+
+std::string input_members(const Sculpture::Input& input) {
+  return "\"path\": " + json_text(input.path.generic_string()) +
+         ", \"sha256\": " + json_text(input.sha256);
+}
+
+std::string inputs_text(const Sculpture& sculpture) {
+  std::string text = "  \"target\": {" + input_members(sculpture.target) + "},\n  \"elements\": [";
+  std::string_view separator = "\n    ";
+  for (const Sculpture::Element& element : sculpture.elements) {
+    text.append(separator);
+    text += "{\"name\": " + json_text(element.name) + ", " + input_members(element) +
+            ", \"size\": " + number_text(element.size) + "}";
+    separator = ",\n    ";
+  }
+  return text + "\n  ],\n";
+}
+
+void append_numbers(std::string& text, std::initializer_list<double> numbers) {
+  char separator = '[';
+  for (const double number : numbers) {
+    text += separator;
+    append_number(text, number);
+    separator = ',';
+  }
+  text += ']';
+}
+
+void append_instance(std::string& text, const Instance& instance) {
+  const glm::dquat& q = instance.rotation;
+  const glm::dvec3& t = instance.translation;
+  text += "{\"element\":" + std::to_string(instance.element) + ",\"scale\":";
+  append_number(text, instance.scale);
+  text += ",\"rotation\":";
+  append_numbers(text, {q.w, q.x, q.y, q.z});
+  text += ",\"translation\":";
+  append_numbers(text, {t.x, t.y, t.z});
+  text += '}';
+}
+
+/// A path that stays in the folder, whatever the file says.
+fs::path inner_path(const json& value) {
+  const fs::path path = fs::path(text(value)).lexically_normal();
+  if (path.empty() || path.is_absolute() || *path.begin() == "..") {
+    throw Problem{"", "is not a path inside the folder"};
+  }
+  return path;
+}
+
+std::string digest(const json& value) {
+  const std::string result = text(value);
+  if (result.size() != 64 || result.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    throw Problem{"", "is not a SHA-256 of 64 hexadecimal digits"};
+  }
+  return result;
+}
+
+template <std::size_t count>
+std::array<double, count> numbers(const json& value) {
+  if (!value.is_array() || value.size() != count) {
+    throw Problem{"", "is not a list of " + std::to_string(count) + " numbers"};
+  }
+  std::array<double, count> result;
+  std::size_t filled = 0;
+  for_each_item(value, [&](const json& item) { result[filled++] = number(item); });
+  return result;
+}
+
+glm::dquat unit_quaternion(const json& value) {
+  const auto [w, x, y, z] = numbers<4>(value);
+  if (std::abs(std::hypot(std::hypot(w, x), std::hypot(y, z)) - 1.0) > quaternion_tolerance) {
+    throw Problem{"", "is not a unit quaternion"};
+  }
+  return {w, x, y, z};
+}
+
+glm::dvec3 vector(const json& value) {
+  const auto [x, y, z] = numbers<3>(value);
+  return {x, y, z};
+}
+
+Sculpture::Input input(const json& value) {
+  return {within(value, "path", inner_path), within(value, "sha256", digest)};
+}
+
+Sculpture::Element element(const json& value) {
+  return {input(value), within(value, "name", text), within(value, "size", positive)};
+}
+
+Instance instance(const json& value, std::size_t element_count) {
+  Instance result;
+  result.element = static_cast<std::uint32_t>(within(value, "element", [&](const json& index) {
+    if (natural(index) >= element_count) {
+      throw Problem{"", "is not the index of an element"};
+    }
+    return natural(index);
+  }));
+  result.scale = within(value, "scale", positive);
+  result.rotation = within(value, "rotation", unit_quaternion);
+  result.translation = within(value, "translation", vector);
+  return result;
+}
+
+/// The file's format fits; do its parts fit each other?
+void require_consistent(const Sculpture& sculpture, std::uint64_t seed) {
+  if (sculpture.elements.size() != sculpture.options.elements.size()) {
+    throw Problem{".elements", "are not as many as options.element"};
+  }
+  if (seed != sculpture.options.packing.seed) {
+    throw Problem{".seed", "differs from options.packing.seed"};
+  }
+  const bool mesh = !sculpture.options.target.mesh.empty();
+  if (mesh == !sculpture.options.target.sdf.empty()) {
+    throw Problem{".options.target", "does not name exactly one of mesh and sdf"};
+  }
+}
+
+Sculpture sculpture(const json& root) {
+  Sculpture result;
+  result.version = within(root, "version", text);
+  result.command = within(root, "command", text);
+  result.options = within(root, "options", options_from_json);
+  result.target = within(root, "target", input);
+  within(root, "elements", [&](const json& list) {
+    for_each_item(list, [&](const json& item) { result.elements.push_back(element(item)); });
+  });
+  within(root, "instances", [&](const json& list) {
+    result.instances.reserve(list.size());
+    for_each_item(list, [&](const json& item) {
+      result.instances.push_back(instance(item, result.elements.size()));
+    });
+  });
+  require_consistent(result, within(root, "seed", natural));
+  return result;
+}
+
+}  // namespace
+
+void write_sculpture(const std::filesystem::path& path, const Sculpture& sculpture) {
+  const Scene scene = with_copies(sculpture);
+  FileWriter file(path);
+  file.append("{\n  \"version\": " + json_text(sculpture.version) +
+              ",\n  \"command\": " + json_text(sculpture.command) + ",\n  \"seed\": " +
+              std::to_string(scene.packing.seed) + ",\n  \"options\": " + options_json(scene) +
+              ",\n" + inputs_text(sculpture) + "  \"instances\": [");
+  std::string line = "\n";
+  for (const Instance& instance : sculpture.instances) {
+    append_instance(line, instance);
+    file.append(line);
+    line = ",\n";
+  }
+  file.append("\n  ]\n}\n");
+  file.commit();
+}
+
+Sculpture read_sculpture(const fs::path& path) {
+  const json root = json_reader::parsed_file(path);
+  try {
+    Sculpture result = sculpture(root);
+    result.options.name = fs::absolute(path).lexically_normal().parent_path().filename().string();
+    result.options.file = path;
+    return result;
+  } catch (const Problem& problem) {
+    throw json_reader::error_in(path, problem);
+  }
+}
+
+}  // namespace collage

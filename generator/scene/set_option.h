@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace collage {
+
+/// Sets one option as `--set` has it: "packing.threshold=0.01", "element.0.color=#c8102e",
+/// "render.stills=front,30/15", "render.size=640,480". Relative paths start from the current
+/// folder. Naming a mesh takes the place of a grid of distances, and the other way round. Throws
+/// Error where the key is unknown or the value is not accepted.
+void set_option(Scene& scene, const std::string& assignment);
+
+}  // namespace collage

@@ -1,0 +1,135 @@
+#include "render/golden_report.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view head = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Golden pictures</title>
+<style>
+:root { color-scheme: light dark; --page: #fff; --text: #222; --quiet: #666; --line: #ddd; --bad: #b3261e; --good: #2e7d32; }
+@media (prefers-color-scheme: dark) {
+  :root { --page: #161616; --text: #e6e6e6; --quiet: #9a9a9a; --line: #333; --bad: #ff8a80; --good: #81c784; }
+}
+body { margin: 2.5rem auto; max-width: 72rem; padding: 0 1.5rem; background: var(--page); color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
+h1 { font-weight: 600; font-size: 1.5rem; margin: 0; }
+h2 { font-weight: 600; font-size: 1.05rem; margin: 0; }
+section { border-top: 1px solid var(--line); padding: 1.25rem 0 1.5rem; }
+.row { display: grid; grid-template-columns: repeat(3, 1fr); gap: 1rem; margin-top: .75rem; }
+figure { margin: 0; }
+img { width: 100%; height: auto; display: block; image-rendering: pixelated; }
+figcaption, .quiet { color: var(--quiet); font-size: .85rem; }
+.differs { color: var(--bad); }
+.passes { color: var(--good); }
+code { background: color-mix(in srgb, var(--quiet) 15%, transparent); padding: .15em .4em; border-radius: 4px; }
+</style>
+</head>
+<body>
+)";
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+/// A path as a relative link; whatever has a meaning in a URL is written as %xx.
+std::string link(const fs::path& path, const fs::path& page) {
+  const fs::path folder = fs::absolute(page).parent_path();
+  std::string url;
+  for (const char c : fs::absolute(path).lexically_relative(folder).generic_string()) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view("/._-~").find(c) != std::string_view::npos;
+    url += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return url;
+}
+
+bool passes(const GoldenRow& row) {
+  return row.comparison && row.comparison->verdict != Verdict::differs;
+}
+
+std::string figure(std::string_view caption, const fs::path& picture, const fs::path& page) {
+  if (picture.empty()) {
+    return fmt::format("<figure><figcaption>{}: none</figcaption></figure>\n", caption);
+  }
+  const std::string url = link(picture, page);
+  return fmt::format(
+      "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption>"
+      "</figure>\n",
+      url, caption);
+}
+
+std::string numbers_text(const Comparison::Numbers& numbers) {
+  const std::string psnr =
+      numbers.psnr_decibels ? fmt::format("{:.1f} dB", *numbers.psnr_decibels) : "infinite";
+  return fmt::format(
+      "mean error {:.3g} · maximum {:.3g} at {}, {} · PSNR {} · {} of {} pixels fail",
+      numbers.mean_error, numbers.max_error, numbers.max_x, numbers.max_y, psnr,
+      numbers.failing_pixels, numbers.pixels);
+}
+
+std::string section(const GoldenRow& row, const fs::path& page) {
+  const std::string& reason = row.comparison ? row.comparison->reason : row.problem;
+  std::string text = fmt::format(
+      "<section>\n<h2>{} <span class=\"{}\">{}</span></h2>\n<div>{}</div>\n", escaped(row.name),
+      passes(row) ? "passes" : "differs", passes(row) ? "passes" : "fails", escaped(reason));
+  if (row.comparison && row.comparison->numbers) {
+    text += fmt::format("<div class=\"quiet\">{}</div>\n", numbers_text(*row.comparison->numbers));
+  }
+  return text + "<div class=\"row\">\n" + figure("reference", row.reference, page) +
+         figure("new", row.picture, page) + figure("difference, amplified", row.difference, page) +
+         "</div>\n</section>\n";
+}
+
+}  // namespace
+
+void write_golden_report(const std::vector<GoldenRow>& rows, const std::string& update_command,
+                         const fs::path& output) {
+  std::vector<GoldenRow> sorted = rows;
+  std::ranges::stable_partition(sorted, [](const GoldenRow& row) { return !passes(row); });
+  const auto failures = std::ranges::count_if(rows, [](const auto& row) { return !passes(row); });
+  std::string page(head);
+  page += fmt::format("<h1>Golden pictures</h1>\n<p>{} of {} pass. ",
+                      static_cast<std::ptrdiff_t>(rows.size()) - failures, rows.size());
+  page += fmt::format(
+      "Look at the new pictures; if they are right, make them the references with "
+      "<code>{}</code></p>\n",
+      escaped(update_command));
+  for (const GoldenRow& row : sorted) {
+    page += section(row, output);
+  }
+  write_file(output, page + "</body>\n</html>\n");
+}
+
+}  // namespace collage

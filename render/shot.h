@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace collage {
+
+/// Where the camera stands. Azimuth 0 looks at the front; positive moves the camera to the right.
+struct View {
+  std::string name;
+  double azimuth_degrees = 0.0;
+  double elevation_degrees = 0.0;  // above the horizon
+};
+
+/// "front", "back", "left", "right", "top", "three-quarter", or azimuth and elevation in degrees as
+/// "30/15" (elevation -90 to 90). Throws Error for anything else.
+View parse_view(const std::string& text);
+
+/// The view's name as part of a file name: "front", "30_15".
+std::string file_stem(const View& view);
+
+/// What the templates make of it: draft and standard are deterministic; fine may use radiosity,
+/// whose pixels differ from run to run where POV-Ray uses more than one thread.
+enum class Quality { draft, standard, fine };
+/// "draft", "standard", "fine". Throws Error for anything else.
+Quality parse_quality(const std::string& text);
+
+/// 8 bits a channel, sRGB-encoded; or half floats, linear.
+enum class PictureFormat { png, exr };
+
+/// One picture of a scene.
+struct Shot {
+  View view;
+  /// The template's name, such as "studio"; `template` is a C++ keyword.
+  std::string look = "studio";
+  int width = 1280;
+  int height = 960;
+  Quality quality = Quality::draft;
+  /// Share of the instances shown, in order of placement; above 0, at most 1.
+  double stage = 1.0;
+  /// Index of the one element shown; nullopt: all.
+  std::optional<int> only_element;
+  PictureFormat format = PictureFormat::png;
+};
+
+/// Throws Error where the folder has no such template, or a number is out of its range.
+void check_shot(const Shot& shot, const std::filesystem::path& folder);
+
+/// The text of the job file: declares what the shot chooses and includes scene.pov.
+std::string job_text(const Shot& shot);
+
+/// POV-Ray's options for size, format and antialiasing. Jitter is always off, so that equal input
+/// gives equal pixels.
+std::vector<std::string> povray_options(const Shot& shot);
+
+/// ".png" or ".exr".
+std::string extension(PictureFormat format);
+
+}  // namespace collage

@@ -1,0 +1,81 @@
+#include "geometry/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/meshes.h"
+
+namespace collage {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// The slow twin: every triangle, in double.
+double brute_force_distance(const Mesh& mesh, const dvec3& query) {
+  double best = unbounded;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const dvec3 point = closest_point_on_triangle(query, mesh.corner(t, 0), mesh.corner(t, 1),
+                                                  mesh.corner(t, 2));
+    best = std::min(best, glm::distance(query, point));
+  }
+  return best;
+}
+
+TEST(ClosestPointOnTriangle, CoversCornersEdgesAndFace) {
+  const dvec3 a(0, 0, 0);
+  const dvec3 b(1, 0, 0);
+  const dvec3 c(0, 1, 0);
+  EXPECT_EQ(closest_point_on_triangle({-1, -1, 3}, a, b, c), a);
+  EXPECT_EQ(closest_point_on_triangle({2, -1, 3}, a, b, c), b);
+  EXPECT_EQ(closest_point_on_triangle({-1, 2, 3}, a, b, c), c);
+  EXPECT_EQ(closest_point_on_triangle({0.5, -1, 0}, a, b, c), dvec3(0.5, 0, 0));
+  EXPECT_EQ(closest_point_on_triangle({-1, 0.5, 0}, a, b, c), dvec3(0, 0.5, 0));
+  EXPECT_EQ(closest_point_on_triangle({1, 1, 0}, a, b, c), dvec3(0.5, 0.5, 0));
+  EXPECT_EQ(closest_point_on_triangle({0.25, 0.25, -7}, a, b, c), dvec3(0.25, 0.25, 0));
+}
+
+TEST(ClosestPointIndex, NeverFarFromBruteForceAndNeverNearer) {
+  const Mesh mesh = test::blob_mesh(0.7, 0.3, 20);
+  const ClosestPointIndex index(mesh);
+  Rng rng(7, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const dvec3 query = test::random_point(rng, 3.0);
+    const double truth = brute_force_distance(mesh, query);
+    const auto found = index.find(query, unbounded);
+    ASSERT_TRUE(found);
+    EXPECT_LE(truth, found->distance * (1.0 + 1e-14));
+    EXPECT_LE(found->distance - ClosestPointIndex::error(query), truth);
+    EXPECT_NEAR(glm::distance(query, found->point), found->distance, 1e-12);
+  }
+}
+
+TEST(ClosestPointIndex, FindsNothingBeyondTheGivenDistance) {
+  const ClosestPointIndex index(test::box_mesh(dvec3(-0.5), dvec3(0.5)));
+  EXPECT_FALSE(index.find({0, 0, 0}, 0.5));
+  EXPECT_FALSE(index.find({0.9, 0, 0}, 0.3999));
+  const auto found = index.find({0.9, 0, 0}, 0.4001);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->distance, 0.4);
+}
+
+TEST(ClosestPointIndex, VerticesAloneAreNeverNearerThanTriangles) {
+  const Mesh mesh = test::torus_mesh(0.6, 0.2, 24, 12);
+  const ClosestPointIndex triangles(mesh);
+  const ClosestPointIndex vertices(mesh, ClosestPointIndex::Surface::vertices);
+  Rng rng(8, 0);
+  for (int i = 0; i < 500; ++i) {
+    const dvec3 query = test::random_point(rng, 1.5);
+    double truth = unbounded;
+    for (const dvec3& position : mesh.positions) {
+      truth = std::min(truth, glm::distance(query, position));
+    }
+    const auto found = vertices.find(query, unbounded);
+    EXPECT_NEAR(found->distance, truth, ClosestPointIndex::error(query));
+    EXPECT_GE(found->distance, triangles.find(query, unbounded)->distance - 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace collage

@@ -1,0 +1,109 @@
+#include "geometry/models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "geometry/bounding_sphere.h"
+#include "geometry/mesh_check.h"
+
+namespace collage {
+namespace {
+
+/// The number of times that the mesh goes round a point, by solid angles (Van Oosterom 1983).
+double turns(const Mesh& mesh, const dvec3& point) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const dvec3 a = glm::normalize(mesh.corner(t, 0) - point);
+    const dvec3 b = glm::normalize(mesh.corner(t, 1) - point);
+    const dvec3 c = glm::normalize(mesh.corner(t, 2) - point);
+    sum += 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                            1.0 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
+  }
+  return sum / (4.0 * std::numbers::pi);
+}
+
+TEST(Models, AllAreClosedOutwardAndHaveNormalsThatPointOut) {
+  for (const StarterModel& model : starter_models()) {
+    Mesh mesh = model.make();
+    const MeshReport report = check_mesh(mesh);
+    EXPECT_TRUE(report.closed) << model.name;
+    EXPECT_EQ(report.nonmanifold_edges + report.inconsistent_edges + report.degenerate_triangles,
+              0U)
+        << model.name;
+    EXPECT_EQ(text_of(orient(mesh)), "") << model.name;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const dvec3 a = mesh.corner(t, 0);
+      const dvec3 face = glm::cross(mesh.corner(t, 1) - a, mesh.corner(t, 2) - a);
+      for (int k = 0; k < 3; ++k) {
+        const dvec3& normal = mesh.normals[mesh.normal_triangles[t][k]];
+        EXPECT_GT(glm::dot(normal, face), 0.0) << model.name;
+        EXPECT_NEAR(glm::length(normal), 1.0, 1e-5);
+      }
+    }
+  }
+}
+
+TEST(Models, TeapotHasNewellsMeasures) {
+  const Mesh teapot = make_teapot(10);
+  const MeshReport report = check_mesh(teapot);
+  EXPECT_EQ(report.parts, 3U);
+  EXPECT_GE(report.triangles, 6000U);
+  EXPECT_LE(report.triangles, 10000U);
+  EXPECT_EQ(report.box.min.y, 0.0);
+  EXPECT_EQ(report.box.max.y, 3.15);
+  EXPECT_NEAR(report.box.extent().x, 6.43, 0.01);
+  EXPECT_EQ(report.box.extent().z, 4.0);
+  EXPECT_EQ(turns(make_teapot(4), {0, 2.39, 1.0}) > 0.5, true);  // under the lid
+  EXPECT_NEAR(turns(teapot, {0, 1.2, 0}), 1.0, 1e-9);
+  EXPECT_NEAR(turns(teapot, {2.6, 1.6, 0}), 1.0, 1e-9);   // in the spout
+  EXPECT_NEAR(turns(teapot, {-2.8, 1.9, 0}), 1.0, 1e-9);  // in the handle
+  EXPECT_NEAR(turns(teapot, {-2.4, 1.7, 0}), 0.0, 1e-9);  // through the handle
+}
+
+TEST(Models, TeapotConvergesToItsPatches) {
+  const double coarse = enclosed_volume(make_teapot(5));
+  const double middle = enclosed_volume(make_teapot(10));
+  const double fine = enclosed_volume(make_teapot(20));
+  EXPECT_NEAR((middle - coarse) / (fine - middle), 4.0, 0.4);  // second order
+}
+
+TEST(Models, TeacupHoldsTeaAndItsHandleStaysInTheWall) {
+  const Mesh cup = make_teacup(14);
+  const MeshReport report = check_mesh(cup);
+  EXPECT_EQ(report.parts, 2U);
+  EXPECT_NEAR(static_cast<double>(report.triangles), 300.0, 30.0);
+  EXPECT_EQ(report.box.min.y, 0.0);
+  EXPECT_NEAR(turns(cup, {0, 0.6, 0}), 0.0, 1e-9);  // the hollow
+  EXPECT_NEAR(turns(cup, {0, 0.1, 0}), 1.0, 1e-9);  // the bottom
+
+  // The handle starts behind the cup. Where it is not within the wall it is outside, not in the
+  // hollow: its corners near the axis are within the cup's own part.
+  Mesh wall = cup;
+  const std::size_t handle_triangles = (7 * 2 + 2) * 6;
+  wall.triangles.resize(cup.triangles.size() - handle_triangles);
+  ASSERT_EQ(check_mesh(wall).parts, 1U);
+  std::size_t within = 0;
+  for (std::size_t t = wall.triangles.size(); t < cup.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const dvec3 corner = cup.corner(t, k);
+      const bool inside = turns(wall, corner) > 0.5;
+      const double radius = std::hypot(corner.x, corner.z);
+      within += inside ? 1 : 0;
+      EXPECT_TRUE(inside || radius > (corner.y > 0.7 ? 0.92 : 0.80)) << radius << " " << corner.y;
+    }
+  }
+  EXPECT_GE(within, 2U * 6U * 3U);  // both end caps
+}
+
+TEST(Models, SphereIsRound) {
+  const Mesh sphere = make_sphere(3);
+  EXPECT_EQ(sphere.triangles.size(), 1280U);
+  EXPECT_NEAR(smallest_enclosing_sphere(sphere.positions).radius, 1.0, 1e-14);
+  EXPECT_NEAR(enclosed_volume(sphere), 4.0 / 3.0 * std::numbers::pi, 0.05);
+}
+
+}  // namespace
+}  // namespace collage

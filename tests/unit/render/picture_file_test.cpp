@@ -1,0 +1,92 @@
+#include "render/picture_file.h"
+
+#include <limits>
+
+#include "unit/render/support.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::cut_in_half;
+using ::testing::ElementsAre;
+using testing::error_of;
+using ::testing::HasSubstr;
+using testing::plain_picture;
+using testing::TestFolder;
+
+Picture gradient(PictureFormat format) {
+  Picture picture = plain_picture(61, 37);
+  picture.format = format;
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    picture.values[i] = static_cast<float>(i * 7919 % 256) / 255.0F;
+    if (format == PictureFormat::exr) {
+      picture.values[i] = static_cast<float>(i * 7919 % 256) * 0.125F;  // exact as a half float
+    }
+  }
+  picture.key = "0123abcd";
+  return picture;
+}
+
+class PictureFile : public ::testing::TestWithParam<PictureFormat> {
+ protected:
+  [[nodiscard]] fs::path path(const std::string& stem) const {
+    return folder_ / (stem + extension(GetParam()));
+  }
+  TestFolder folder_;
+};
+
+TEST_P(PictureFile, pixels_and_key_come_back) {
+  const Picture written = gradient(GetParam());
+  write_picture(path("a"), written);
+  const Picture read = read_picture(path("a"));
+  EXPECT_EQ(read.width, written.width);
+  EXPECT_EQ(read.height, written.height);
+  EXPECT_EQ(read.channels, 3);
+  EXPECT_EQ(read.format, GetParam());
+  EXPECT_EQ(read.key, "0123abcd");
+  EXPECT_THAT(read.values, ::testing::Pointwise(::testing::FloatEq(), written.values));
+  EXPECT_EQ(folder_.files().size(), 1U);
+}
+
+TEST_P(PictureFile, equal_pictures_give_equal_bytes_without_a_date) {
+  write_picture(path("a"), gradient(GetParam()));
+  write_picture(path("b"), gradient(GetParam()));
+  const std::string bytes = read_file(path("a"));
+  EXPECT_EQ(bytes, read_file(path("b")));
+  for (const char* word : {"tIME", "1970:", "202", "ImageHistory", "collage-render-test"}) {
+    EXPECT_EQ(bytes.find(word), std::string::npos) << word;
+  }
+}
+
+TEST_P(PictureFile, one_cut_short_is_an_error) {
+  write_picture(path("a"), gradient(GetParam()));
+  cut_in_half(path("a"));
+  EXPECT_THAT(error_of([&] { read_picture(path("a")); }),
+              HasSubstr(path("a").string() + ": is not"));
+  fs::resize_file(path("a"), 0);
+  EXPECT_THAT(error_of([&] { read_picture(path("a")); }), HasSubstr("is not a picture"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PictureFile,
+                         ::testing::Values(PictureFormat::png, PictureFormat::exr));
+
+TEST(PictureFileErrors, name_the_file) {
+  const TestFolder folder;
+  EXPECT_THAT(error_of([&] { read_picture(folder / "none.png"); }), HasSubstr("no such file"));
+  write_file(folder / "text.png", "hello");
+  EXPECT_THAT(error_of([&] { read_picture(folder / "text.png"); }), HasSubstr("is not a picture"));
+  EXPECT_THAT(error_of([&] { read_picture(folder.path()); }), HasSubstr("not a regular file"));
+}
+
+TEST(PictureFileErrors, not_a_number_survives_in_an_exr) {
+  const TestFolder folder;
+  Picture picture = plain_picture(2, 1);
+  picture.format = PictureFormat::exr;
+  picture.values[1] = std::numeric_limits<float>::quiet_NaN();
+  write_picture(folder / "a.exr", picture);
+  EXPECT_TRUE(std::isnan(read_picture(folder / "a.exr").values[1]));
+}
+
+}  // namespace
+}  // namespace collage

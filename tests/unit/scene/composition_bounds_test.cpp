@@ -1,0 +1,57 @@
+#include "scene/composition_bounds.h"
+
+#include <cmath>
+
+#include "base/rng.h"
+#include "unit/scene/support.h"
+
+namespace collage {
+namespace {
+
+TEST(CompositionBounds, AreThoseOfAllVertices) {
+  const Mesh mesh = testing::cube();
+  Mesh flat = mesh;
+  flat.positions.push_back({100, 100, 100});  // in no triangle, so nowhere
+  for (dvec3& position : flat.positions) {
+    position.y *= 0.1;
+  }
+  Rng rng(3, 4);
+  const auto number = [&] { return 2.0 * rng.uniform() - 1.0; };
+  std::vector<Instance> instances;
+  Box box;
+  for (int i = 0; i < 500; ++i) {
+    instances.push_back({static_cast<std::uint32_t>(i % 2),
+                         0.1 + rng.uniform(),
+                         glm::normalize(glm::dquat(number(), number(), number(), number())),
+                         {5 * number(), 5 * number(), 5 * number()}});
+    for (std::size_t v = 0; v < 8; ++v) {
+      box.include(instances.back().world_from_element((i % 2 == 0 ? mesh : flat).positions[v]));
+    }
+  }
+  double radius = 0.0;
+  const dvec3 axis = box.center();
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    for (std::size_t v = 0; v < 8; ++v) {
+      const dvec3 p = instances[i].world_from_element((i % 2 == 0 ? mesh : flat).positions[v]);
+      radius = std::max(radius, std::hypot(p.x - axis.x, p.z - axis.z));
+    }
+  }
+  const CompositionBounds bounds =
+      bounds_of({"x", "", {{"a", mesh, ""}, {"b", flat, ""}}, instances, nullptr, {}});
+  EXPECT_EQ(bounds.instances.min, box.min);
+  EXPECT_EQ(bounds.instances.max, box.max);
+  EXPECT_DOUBLE_EQ(bounds.radius, radius);
+}
+
+TEST(CompositionBounds, HoldTheTarget) {
+  const Mesh mesh = testing::cube();
+  const Box box{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<Instance> instances{{0, 0.5, {1, 0, 0, 0}, {0, 0, 0}}};
+  const CompositionBounds bounds = bounds_of({"x", "", {{"a", mesh, ""}}, instances, &mesh, box});
+  EXPECT_EQ(bounds.instances.max, dvec3(0.5));
+  EXPECT_DOUBLE_EQ(bounds.radius, std::sqrt(2.0));
+  EXPECT_EQ(bounds_of({"x", "", {{"a", mesh, ""}}, {}, &mesh, box}).instances.max, dvec3(1.0));
+}
+
+}  // namespace
+}  // namespace collage
