@@ -116,6 +116,7 @@ void write_contact_sheet(const std::vector<SheetPicture>& pictures, const SheetL
     throw Error({output}, "a contact sheet of no pictures cannot be made", "name some pictures");
   }
   std::vector<Picture> thumbnails;
+  thumbnails.reserve(pictures.size());
   for (const SheetPicture& picture : pictures) {
     thumbnails.push_back(thumbnail(picture.path, std::max(1, layout.cell_size)));
   }

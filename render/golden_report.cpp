@@ -117,7 +117,8 @@ std::string section(const GoldenRow& row, const fs::path& page) {
 void write_golden_report(const std::vector<GoldenRow>& rows, const std::string& update_command,
                          const fs::path& output) {
   std::vector<GoldenRow> sorted = rows;
-  std::ranges::stable_partition(sorted, [](const GoldenRow& row) { return !passes(row); });
+  std::stable_partition(sorted.begin(), sorted.end(),
+                        [](const GoldenRow& row) { return !passes(row); });
   const auto failures = std::ranges::count_if(rows, [](const auto& row) { return !passes(row); });
   std::string page(head);
   page += fmt::format("<h1>Golden pictures</h1>\n<p>{} of {} pass. ",

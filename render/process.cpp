@@ -72,7 +72,7 @@ struct SystemRunner::Child {
 };
 
 SystemRunner::SystemRunner() = default;
-SystemRunner::~SystemRunner() { stop_all(); }
+SystemRunner::~SystemRunner() { SystemRunner::stop_all(); }
 
 std::optional<fs::path> SystemRunner::find(const std::string& name) const {
   const auto is_program = [](const fs::path& path) {

@@ -10,7 +10,7 @@ std::span<const StarterModel> starter_models() {
                    [] { return make_sphere(3); }},
       StarterModel{"teacup", "a teacup with handle and about 300 triangles",
                    [] { return make_teacup(14); }},
-      StarterModel{"teapot", "Newell's teapot with about 6,600 triangles",
+      StarterModel{"teapot", "Newell's teapot with about 6,500 triangles",
                    [] { return make_teapot(10); }},
   };
   return models;

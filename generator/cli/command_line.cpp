@@ -1,0 +1,243 @@
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <new>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/stop_signals.h"
+#include "cli/terminal.h"
+#include "cli/version.h"
+
+namespace collage {
+namespace {
+
+enum ExitCode { success = 0, bad_input = 2, outside_program_failed = 3, interrupted = 130 };
+
+/// The arguments of all commands and, once parsed, what is to be run.
+class CommandLine {
+ public:
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// Nothing to be run: the exit code of --help, --version or a mistake, which has been printed.
+  std::optional<int> parse(int argc, char** argv);
+  [[nodiscard]] TerminalStyle::Verbosity verbosity() const { return common_.verbosity; }
+  int run(Terminal& terminal) { return run_(terminal); }
+
+ private:
+  CLI::App* add(const char* name, const char* help);
+  void add_common(CLI::App* command);
+  void add_json(CLI::App* command);
+  void add_scene_command(const char* name, const char* help,
+                         int (*runner)(const SceneArguments&, const CommonArguments&, Terminal&));
+  CLI::App* add_picture_command(const char* name, const char* help,
+                                int (*runner)(const PictureArguments&, const CommonArguments&,
+                                           Terminal&));
+  void add_sheet();
+  void add_compare();
+  void add_export();
+  void add_small_commands();
+
+  CLI::App app_{"Fills a shape with copies of other shapes, biggest first, without overlap, and "
+                "has POV-Ray make pictures of it.\n\n"
+                "To begin with: collage make scenes/teapot"};
+  std::function<int(Terminal&)> run_;
+  CommonArguments common_;
+  SceneArguments scene_;
+  PictureArguments picture_;
+  SheetArguments sheet_;
+  CompareArguments compare_;
+  ExportArguments export_;
+  std::vector<std::filesystem::path> meshes_;
+  std::string model_;
+  std::filesystem::path model_output_;
+};
+
+CommandLine::CommandLine() {
+  app_.name("collage");
+  app_.require_subcommand(1);
+  app_.set_version_flag("--version", std::string("collage ") + version);
+  add_scene_command("make", "Pack a scene and render all that it asks for", run_make);
+  add_scene_command("pack", "Pack a scene, without pictures", run_pack);
+  CLI::App* still = add_picture_command("still", "Render stills of a finished folder", run_still);
+  still->add_option("--view", picture_.views,
+                    "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15");
+  still->add_option("--stage", picture_.stage, "Share of the instances shown")
+      ->check(CLI::Range(0.0001, 1.0));
+  still->add_option("--element", picture_.element, "Show the element of this number alone, from 0")
+      ->check(CLI::NonNegativeNumber);
+  still->add_option("-o,--output", picture_.output, "The picture, .png or .exr");
+  add_picture_command("turntable", "Render a turntable of a finished folder", run_turntable);
+  add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
+      ->add_option("--frames", picture_.frames, "Only these frames of the turntable, as 5-12");
+  add_sheet();
+  add_compare();
+  add_export();
+  add_small_commands();
+}
+
+CLI::App* CommandLine::add(const char* name, const char* help) {
+  return app_.add_subcommand(name, help);
+}
+
+void CommandLine::add_common(CLI::App* command) {
+  command->add_option("--threads", common_.threads, "How many to use; all by default")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag_callback(
+      "--quiet", [this] { common_.verbosity = TerminalStyle::Verbosity::quiet; },
+      "Say nothing but errors");
+  command->add_flag_callback(
+      "--verbose", [this] { common_.verbosity = TerminalStyle::Verbosity::verbose; },
+      "Say more");
+}
+
+void CommandLine::add_json(CLI::App* command) {
+  command->add_flag_callback(
+      "--json", [this] { common_.output = CommonArguments::Output::json; },
+      "Print the result as JSON");
+}
+
+void CommandLine::add_scene_command(const char* name, const char* help,
+                                    int (*runner)(const SceneArguments&, const CommonArguments&,
+                                               Terminal&)) {
+  CLI::App* command = add(name, help);
+  command->add_option("scene", scene_.scene, "A scene.toml, its folder, or the name of a scene")
+      ->required();
+  command->add_option("-o,--output", scene_.folder, "Folder to write to; out/<scene> by default");
+  command->add_option("--set", scene_.settings,
+                      "Another value for an option of the scene, as packing.threshold=0.01; "
+                      "`collage options` lists them");
+  command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…");
+  add_common(command);
+  add_json(command);
+  command->callback(
+      [this, runner] { run_ = [this, runner](Terminal& t) { return runner(scene_, common_, t); }; });
+}
+
+CLI::App* CommandLine::add_picture_command(const char* name, const char* help,
+                                           int (*runner)(const PictureArguments&,
+                                                      const CommonArguments&, Terminal&)) {
+  CLI::App* command = add(name, help);
+  command->add_option("folder", picture_.folder, "A folder that make or pack has written")
+      ->required();
+  command->add_option("--set", picture_.settings,
+                      "Another value for an option of its scene, as render.template=clay");
+  add_common(command);
+  command->callback(
+      [this, runner] { run_ = [this, runner](Terminal& t) { return runner(picture_, common_, t); }; });
+  return command;
+}
+
+void CommandLine::add_sheet() {
+  CLI::App* command = add("sheet", "Lay pictures out on a contact sheet");
+  command->add_option("pictures", sheet_.pictures, "PNG or EXR files")->required();
+  command->add_option("-o,--output", sheet_.output, "The sheet")->capture_default_str();
+  command->add_option("--columns", sheet_.columns)->check(CLI::Range(1, 100))->capture_default_str();
+  command->add_option("--cell", sheet_.cell_size, "Longest side of a picture on it, in pixels")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  command->add_option("--caption", sheet_.captions, "One a picture, by default its file's name");
+  command->add_option("--title", sheet_.title);
+  command->callback([this] { run_ = [this](Terminal&) { return run_sheet(sheet_); }; });
+}
+
+void CommandLine::add_compare() {
+  CLI::App* command =
+      add("compare", "Lay a picture over its reference: exit 0 the same, 1 it differs");
+  command->add_option("reference", compare_.reference)->required();
+  command->add_option("picture", compare_.picture)->required();
+  command->add_option("--difference", compare_.difference, "Write an amplified difference picture");
+  command->add_option("--amplify", compare_.amplification)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--fail", compare_.thresholds.fail,
+                      "A pixel fails where a channel, 0 to 1, differs by more")
+      ->capture_default_str();
+  command->add_option("--failing-share", compare_.thresholds.failing_share,
+                      "This share of the pixels may fail")
+      ->capture_default_str();
+  command->add_option("--hard-fail", compare_.thresholds.hard_fail, "No pixel may differ by more")
+      ->capture_default_str();
+  add_json(command);
+  command->callback([this] { run_ = [this](Terminal&) { return run_compare(compare_, common_); }; });
+}
+
+void CommandLine::add_export() {
+  CLI::App* command = add("export", "Write a sculpture as one OBJ, or a mesh as signed distances");
+  command->add_option("input", export_.input, "A finished folder, or a mesh")->required();
+  command->add_option("--obj", export_.obj, "All instances of the folder, with an MTL beside");
+  command->add_option("--sdf", export_.sdf, "Signed distances to the mesh, as target.sdf reads them");
+  command->add_option("--resolution", export_.resolution, "Voxels on the longest side, for --sdf")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_common(command);
+  command->callback([this] { run_ = [this](Terminal& t) { return run_export(export_, t); }; });
+}
+
+void CommandLine::add_small_commands() {
+  CLI::App* check = add("check", "Say what there is to know of meshes");
+  check->add_option("meshes", meshes_, "OBJ files")->required();
+  check->callback([this] { run_ = [this](Terminal& t) { return run_check(meshes_, t); }; });
+
+  CLI::App* model = add("model", "Write a starter model as OBJ; without a name, list them");
+  model->add_option("name", model_);
+  model->add_option("-o,--output", model_output_, "By default the name with .obj");
+  model->callback([this] { run_ = [this](Terminal&) { return run_model(model_, model_output_); }; });
+
+  add("scenes", "List the scenes that come with the program")->callback([this] {
+    run_ = [](Terminal&) { return run_scenes(); };
+  });
+
+  CLI::App* options = add("options", "List all options of a scene file");
+  options->add_flag_callback(
+      "--markdown", [this] { common_.output = CommonArguments::Output::json; },
+      "As the page docs/scene-reference.md");
+  options->callback([this] { run_ = [this](Terminal&) { return run_options(common_.output); }; });
+}
+
+std::optional<int> CommandLine::parse(int argc, char** argv) {
+  try {
+    app_.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return app_.exit(error);  // --help and --version
+    }
+    fmt::print(stderr, "error: {}; see collage --help\n", error.what());
+    return bad_input;
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CommandLine command_line;
+  if (const std::optional<int> code = command_line.parse(argc, argv)) {
+    return *code;
+  }
+  const StopSignals signals;
+  Terminal terminal(standard_error_style(command_line.verbosity()), standard_error_console());
+  try {
+    return command_line.run(terminal);
+  } catch (const Interrupted&) {
+    terminal.error("interrupted");
+    return interrupted;
+  } catch (const Error& error) {
+    terminal.error(error.what());
+    return error.blame() == Error::Blame::input ? bad_input : outside_program_failed;
+  } catch (const std::bad_alloc&) {
+    terminal.error("out of memory; lower target.resolution or use smaller meshes");
+    return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {
+    terminal.error(error.what());
+    return bad_input;
+  }
+}
+
+}  // namespace collage

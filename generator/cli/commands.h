@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/terminal.h"
+#include "render/compare.h"
+
+namespace collage {
+
+/// One struct a command: what the command line gave. Each run function returns the exit code and
+/// prints its result on standard output; progress, notes and errors go to the terminal.
+
+struct CommonArguments {
+  enum class Output { text, json };
+  Output output = Output::text;
+  TerminalStyle::Verbosity verbosity = TerminalStyle::Verbosity::normal;
+  /// 0: as many as the machine has.
+  int threads = 0;
+};
+
+/// `make` and `pack`.
+struct SceneArguments {
+  std::string scene;
+  /// Empty: out/<name of the scene>.
+  std::filesystem::path folder;
+  std::vector<std::string> settings;
+  std::optional<std::uint64_t> seed;
+};
+int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
+int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
+
+/// `still`, `turntable`, `render` and `sheet`: pictures of a finished folder. What is not given is
+/// as its scene has it.
+struct PictureArguments {
+  std::filesystem::path folder;
+  std::vector<std::string> settings;
+  std::vector<std::string> views;
+  std::string frames;
+  std::optional<double> stage;
+  std::optional<int> element;
+  std::filesystem::path output;
+};
+int run_still(const PictureArguments& arguments, const CommonArguments& common,
+              Terminal& terminal);
+int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
+                  Terminal& terminal);
+int run_render(const PictureArguments& arguments, const CommonArguments& common,
+               Terminal& terminal);
+
+struct SheetArguments {
+  std::vector<std::filesystem::path> pictures;
+  std::vector<std::string> captions;
+  std::filesystem::path output = "sheet.png";
+  std::string title;
+  int columns = 4;
+  int cell_size = 400;
+};
+int run_sheet(const SheetArguments& arguments);
+
+struct CompareArguments {
+  std::filesystem::path reference;
+  std::filesystem::path picture;
+  std::filesystem::path difference;
+  double amplification = 16.0;
+  Thresholds thresholds;
+};
+int run_compare(const CompareArguments& arguments, const CommonArguments& common);
+
+struct ExportArguments {
+  std::filesystem::path input;
+  std::filesystem::path obj;
+  std::filesystem::path sdf;
+  int resolution = 100;
+};
+int run_export(const ExportArguments& arguments, Terminal& terminal);
+
+int run_check(const std::vector<std::filesystem::path>& meshes, Terminal& terminal);
+int run_model(const std::string& name, const std::filesystem::path& output);
+int run_scenes();
+int run_options(CommonArguments::Output output);
+
+}  // namespace collage

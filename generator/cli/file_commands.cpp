@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/data_folder.h"
+#include "cli/version.h"
+#include "geometry/distance_grid.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_file.h"
+#include "geometry/models.h"
+#include "render/contact_sheet.h"
+#include "scene/obj_exporter.h"
+#include "scene/options_reference.h"
+#include "scene/sculpture_file.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int answer_no = 1;
+
+/// Reads the meshes of a finished folder and writes all instances as one OBJ.
+void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& terminal) {
+  const Sculpture sculpture = read_sculpture(folder / "sculpture.json");
+  std::vector<MeshFile> files;
+  for (const Sculpture::Element& element : sculpture.elements) {
+    files.push_back(read_obj(folder / element.path, terminal));
+    orient(files.back().mesh);
+  }
+  Composition composition;
+  composition.name = sculpture.options.name;
+  composition.made_by = std::string("collage ") + version;
+  for (std::size_t e = 0; e < files.size(); ++e) {
+    composition.elements.push_back(
+        {sculpture.elements[e].name, files[e].mesh, sculpture.options.elements[e].color});
+  }
+  composition.instances = sculpture.instances;
+  export_obj(obj, composition, terminal);
+}
+
+void export_distances(const fs::path& mesh_path, const fs::path& sdf, int resolution,
+                      Terminal& terminal) {
+  Mesh mesh = read_obj(mesh_path, terminal).mesh;
+  orient(mesh);
+  const Box box = bounding_box(mesh);
+  const Solid solid(mesh, box.center(), 0.5 * glm::length(box.extent()));
+  write_distance_grid(sdf, sample_distance_grid(solid, box, resolution));
+}
+
+const char* word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::same:
+      return "same";
+    case Verdict::within_tolerance:
+      return "within tolerance";
+    case Verdict::differs:
+      break;
+  }
+  return "differs";
+}
+
+std::string comparison_json(const Comparison& comparison) {
+  std::string text = fmt::format(R"({{"verdict": "{}")", word(comparison.verdict));
+  if (comparison.numbers) {
+    const Comparison::Numbers& n = *comparison.numbers;
+    text += fmt::format(
+        R"(, "mean_error": {}, "max_error": {}, "psnr_decibels": {}, "failing_pixels": {}, "pixels": {})",
+        number_text(n.mean_error), number_text(n.max_error),
+        n.psnr_decibels ? number_text(*n.psnr_decibels) : "null", n.failing_pixels, n.pixels);
+  }
+  return text + "}\n";
+}
+
+std::string comparison_text(const Comparison& comparison) {
+  std::string text = fmt::format("{}: {}\n", word(comparison.verdict), comparison.reason);
+  if (comparison.numbers && comparison.verdict != Verdict::same) {
+    const Comparison::Numbers& n = *comparison.numbers;
+    text += fmt::format("mean error {:.6f}, maximum {:.6f} at {},{}, PSNR {:.2f} dB, {} of {} pixels fail\n",
+                        n.mean_error, n.max_error, n.max_x, n.max_y,
+                        n.psnr_decibels.value_or(0.0), grouped(static_cast<std::uint64_t>(n.failing_pixels)),
+                        grouped(static_cast<std::uint64_t>(n.pixels)));
+  }
+  return text;
+}
+
+}  // namespace
+
+int run_sheet(const SheetArguments& arguments) {
+  std::vector<SheetPicture> pictures;
+  for (std::size_t i = 0; i < arguments.pictures.size(); ++i) {
+    const fs::path& path = arguments.pictures[i];
+    pictures.push_back({path, i < arguments.captions.size() ? arguments.captions[i]
+                                                            : path.stem().string()});
+  }
+  SheetLayout layout;
+  layout.columns = std::min(arguments.columns, static_cast<int>(pictures.size()));
+  layout.cell_size = arguments.cell_size;
+  layout.title = arguments.title;
+  write_contact_sheet(pictures, layout, arguments.output);
+  fmt::print("{}\n", arguments.output.string());
+  return 0;
+}
+
+int run_compare(const CompareArguments& arguments, const CommonArguments& common) {
+  const Comparison comparison =
+      compare_pictures(arguments.reference, arguments.picture, arguments.thresholds);
+  if (!arguments.difference.empty()) {
+    write_difference(arguments.reference, arguments.picture, arguments.difference,
+                     arguments.amplification);
+  }
+  const std::string text = common.output == CommonArguments::Output::json
+                               ? comparison_json(comparison)
+                               : comparison_text(comparison);
+  std::fputs(text.c_str(), stdout);
+  return comparison.verdict == Verdict::differs ? answer_no : 0;
+}
+
+int run_export(const ExportArguments& arguments, Terminal& terminal) {
+  if (arguments.obj.empty() == arguments.sdf.empty()) {
+    throw Error("nothing to export, or two things at once",
+                "give a folder and --obj FILE, or a mesh and --sdf FILE");
+  }
+  if (!arguments.obj.empty()) {
+    export_sculpture(arguments.input, arguments.obj, terminal);
+  } else {
+    export_distances(arguments.input, arguments.sdf, arguments.resolution, terminal);
+  }
+  fmt::print("{}\n", (arguments.obj.empty() ? arguments.sdf : arguments.obj).string());
+  return 0;
+}
+
+int run_check(const std::vector<fs::path>& meshes, Terminal& terminal) {
+  for (const fs::path& path : meshes) {
+    Mesh mesh = read_obj(path, terminal).mesh;
+    const Orientation orientation = orient(mesh);
+    fmt::print("{}: {}\n", path.string(), text_of(check_mesh(mesh)));
+    const Box box = bounding_box(mesh);
+    const Solid solid(mesh, box.center(), 0.5 * glm::length(box.extent()));
+    fmt::print("  volume of the solid {:.6g}\n", solid.volume());
+    if (const std::string repairs = text_of(orientation); !repairs.empty()) {
+      fmt::print("  {}\n", repairs);
+    }
+  }
+  return 0;
+}
+
+int run_model(const std::string& name, const fs::path& output) {
+  const auto models = starter_models();
+  const auto model = std::find_if(models.begin(), models.end(),
+                                  [&](const StarterModel& m) { return m.name == name; });
+  if (name.empty()) {
+    for (const StarterModel& m : models) {
+      fmt::print("{:12} {}\n", m.name, m.description);
+    }
+    return 0;
+  }
+  if (model == models.end()) {
+    std::vector<std::string> names;
+    std::transform(models.begin(), models.end(), std::back_inserter(names),
+                   [](const StarterModel& m) { return std::string(m.name); });
+    const std::string guess = did_you_mean(name, names);
+    throw Error("there is no model '" + name + "'",
+                guess.empty() ? "`collage model` lists those that there are" : guess);
+  }
+  const fs::path path = output.empty() ? fs::path(name + ".obj") : output;
+  write_obj(path, model->make(), "collage model " + name + " -o " + path.filename().string());
+  fmt::print("{}\n", path.string());
+  return 0;
+}
+
+int run_scenes() {
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(data_folder(data_places()) / "scenes")) {
+    if (fs::exists(entry.path() / "scene.toml")) {
+      folders.push_back(entry.path());
+    }
+  }
+  std::sort(folders.begin(), folders.end());
+  for (const fs::path& folder : folders) {
+    fmt::print("{}\n", folder.filename().string());
+  }
+  return 0;
+}
+
+int run_options(CommonArguments::Output output) {
+  const std::string text = output == CommonArguments::Output::text ? options_text()
+                                                                   : scene_reference_markdown();
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+}  // namespace collage

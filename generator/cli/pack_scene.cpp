@@ -1,0 +1,204 @@
+#include "cli/pack_scene.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/stage.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "cli/data_folder.h"
+#include "cli/version.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_file.h"
+#include "packing/pack.h"
+#include "scene/copy_inputs.h"
+#include "scene/povray_writer.h"
+#include "scene/sculpture_file.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A mesh as it was read, put right.
+MeshFile read_mesh(const fs::path& path, Status& status) {
+  MeshFile file = read_obj(path, status);
+  const std::string repairs = text_of(orient(file.mesh));
+  if (!repairs.empty()) {
+    status.note(path.filename().string() + ": " + repairs);
+  }
+  return file;
+}
+
+/// All that is read before anything is placed. Elements refer to the meshes: it stays in its place.
+struct Workshop {
+  Workshop(const Scene& scene, Status& status);
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  std::vector<fs::path> target_files;
+  Mesh target_mesh;
+  std::unique_ptr<Target> target;
+  std::vector<MeshFile> element_files;
+  std::vector<Element> elements;
+  std::vector<Ingredient> ingredients;
+};
+
+Workshop::Workshop(const Scene& scene, Status& status) {
+  const double steps = static_cast<double>(scene.elements.size()) + 1.0;
+  if (scene.target.sdf.empty()) {
+    MeshFile file = read_mesh(scene.target.mesh, status);
+    target_files = file.files;
+    target_mesh = std::move(file.mesh);
+    target = std::make_unique<MeshTarget>(target_mesh);
+  } else {
+    target_files = {scene.target.sdf};
+    target = std::make_unique<GridTarget>(read_distance_grid(scene.target.sdf));
+  }
+  elements.reserve(scene.elements.size());  // ingredients refer to them
+  for (const Scene::Element& wanted : scene.elements) {
+    status.update(static_cast<double>(elements.size() + 1) / steps,
+                  wanted.mesh.filename().string());
+    if (status.stop_requested()) {
+      throw Interrupted();
+    }
+    element_files.push_back(read_mesh(wanted.mesh, status));
+    elements.emplace_back(element_files.back().mesh, scene.packing.distance);
+    ingredients.push_back({elements.back(), wanted.scales, wanted.weight});
+  }
+}
+
+/// An empty sculpture is a mistake in the scene; says which.
+[[noreturn]] void throw_nothing_fits(const Scene& scene, const Workshop& workshop,
+                                     const Packing& packing) {
+  const double longest = workshop.target->box().longest_side();
+  const std::string hole = number_text(packing.largest_hole / longest);
+  if (packing.voxels_inside_target == 0) {
+    throw Error({scene.file}, "the target holds no space at this resolution",
+                "raise target.resolution, or check the mesh with: collage check");
+  }
+  if (packing.largest_hole < (scene.packing.threshold + scene.packing.spacing) * longest) {
+    throw Error({scene.file}, "the largest hole, of radius " + hole + ", is below the threshold",
+                "lower packing.threshold or packing.spacing");
+  }
+  throw Error({scene.file},
+              "no element is small enough for the largest hole, of radius " + hole +
+                  " (a fraction of the target's longest side)",
+              "list smaller element.scales, or use packing.scaling = \"to-hole\"");
+}
+
+Sculpture describe(const Scene& scene, const std::string& command, const Workshop& workshop,
+                   const std::vector<Instance>& instances, const fs::path& folder,
+                   Status& status) {
+  Sculpture sculpture;
+  sculpture.version = version;
+  sculpture.command = command;
+  sculpture.options = scene;
+  sculpture.instances = instances;
+  sculpture.target = copy_inputs(workshop.target_files, folder, "target", status);
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    Sculpture::Element element;
+    static_cast<Sculpture::Input&>(element) = copy_inputs(
+        workshop.element_files[e].files, folder, "element-" + std::to_string(e), status);
+    element.name = scene.elements[e].mesh.stem().string();
+    element.size = workshop.elements[e].size();
+    sculpture.elements.push_back(element);
+  }
+  return sculpture;
+}
+
+Composition compose(const Scene& scene, const Workshop& workshop,
+                    std::span<const Instance> instances) {
+  Composition composition;
+  composition.name = scene.name;
+  composition.made_by = std::string("collage ") + version;
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    composition.elements.push_back({scene.elements[e].mesh.stem().string(),
+                                    workshop.element_files[e].mesh, scene.elements[e].color});
+  }
+  composition.instances = instances;
+  composition.target = scene.target.sdf.empty() ? &workshop.target_mesh : nullptr;
+  composition.target_box = workshop.target->box();
+  return composition;
+}
+
+void copy_templates(const Scene& scene, const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(data_folder(data_places()) / "templates")) {
+    if (entry.path().extension() == ".inc") {
+      write_file(folder / entry.path().filename(), read_file(entry.path()));
+    }
+  }
+  const fs::path look(scene.render.look);
+  if (look.extension() == ".inc") {
+    write_file(folder / look.filename(), read_file(look));
+  }
+}
+
+Report summarise(const Scene& scene, const Workshop& workshop, const Packing& packing) {
+  Report report;
+  report.seed = scene.packing.seed;
+  report.instances = packing.instances.size();
+  report.fill = fill(*workshop.target, workshop.ingredients, packing.instances);
+  report.fill_by_voxels = packing.fill_by_voxels();
+  report.largest_hole = packing.largest_hole / workshop.target->box().longest_side();
+  for (int axis = 0; axis < 3; ++axis) {
+    report.voxels[static_cast<std::size_t>(axis)] =
+        static_cast<std::uint64_t>(packing.voxels[axis]);
+  }
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    const auto count =
+        std::count_if(packing.instances.begin(), packing.instances.end(),
+                      [e](const Instance& instance) { return instance.element == e; });
+    report.elements.push_back({scene.elements[e].mesh.stem().string(),
+                               workshop.elements[e].faces(), static_cast<std::uint64_t>(count)});
+  }
+  report.seconds.place = packing.place_seconds;
+  report.seconds.update = packing.update_seconds;
+  return report;
+}
+
+}  // namespace
+
+Report pack_scene(const Scene& scene, const std::string& command, const fs::path& folder,
+                  Status& status) {
+  FileWriter probe(folder / "sculpture.json");  // an unwritable folder is said before the work
+  Stopwatch preparing;
+  const auto [workshop, field] = [&] {
+    const Stage stage(status, "preparing");
+    auto shop = std::make_unique<Workshop>(scene, status);
+    const VoxelGrid grid = shop->target->voxels(scene.target.resolution, scene.target.jitter,
+                                                scene.packing.seed);
+    auto clearances = std::make_unique<ClearanceField>(*shop->target, grid, status);
+    return std::pair(std::move(shop), std::move(clearances));
+  }();
+  const double prepare_seconds = preparing.seconds();
+
+  if (scene.packing.distance == Distance::vertices) {
+    status.note("distances are measured to vertices only: instances overlap");
+  }
+  const Packing packing = [&] {
+    const Stage stage(status, "packing");
+    return pack(*workshop->target, *field, workshop->ingredients, scene.packing, status);
+  }();
+  if (packing.instances.empty()) {
+    throw_nothing_fits(scene, *workshop, packing);
+  }
+
+  Stopwatch writing;
+  const Stage stage(status, "writing");
+  copy_templates(scene, folder);
+  write_povray(folder, compose(scene, *workshop, packing.instances),
+               fs::path(scene.render.look).stem().string(), status);
+  write_sculpture(folder / "sculpture.json",
+                  describe(scene, command, *workshop, packing.instances, folder, status));
+  Report report = summarise(scene, *workshop, packing);
+  report.seconds.prepare = prepare_seconds;
+  report.seconds.write = writing.seconds();
+  write_report(folder / "report.json", report);
+  return report;
+}
+
+}  // namespace collage

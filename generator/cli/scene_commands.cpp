@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <thread>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/stopwatch.h"
+#include "cli/commands.h"
+#include "cli/data_folder.h"
+#include "cli/pack_scene.h"
+#include "cli/render_outputs.h"
+#include "scene/scene_file.h"
+#include "scene/sculpture_file.h"
+#include "scene/set_option.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+int thread_count(const CommonArguments& common) {
+  const auto machine = static_cast<int>(std::thread::hardware_concurrency());
+  return common.threads > 0 ? common.threads : std::max(1, machine);
+}
+
+/// A scene of the user's, else one of those that come with the program: "scenes/teapot", "teapot".
+fs::path find_scene(const std::string& name) {
+  if (fs::exists(name)) {
+    return name;
+  }
+  const fs::path data = data_folder(data_places());
+  for (const fs::path& path : {data / name, data / "scenes" / name}) {
+    if (fs::exists(path)) {
+      return path;
+    }
+  }
+  throw Error({name}, "no such scene",
+              "name a scene.toml or its folder; `collage scenes` lists those that come along");
+}
+
+Scene read_scene_with(const SceneArguments& arguments) {
+  Scene scene = read_scene(find_scene(arguments.scene));
+  for (const std::string& setting : arguments.settings) {
+    set_option(scene, setting);
+  }
+  if (arguments.seed) {
+    scene.packing.seed = *arguments.seed;
+  }
+  return scene;
+}
+
+/// What made the sculpture, without what has no part in the result (folders, threads).
+std::string command_text(const SceneArguments& arguments, const Scene& scene) {
+  std::string text = "collage pack " + scene.name;
+  for (const std::string& setting : arguments.settings) {
+    text += " --set " + setting;
+  }
+  return arguments.seed ? text + fmt::format(" --seed {}", *arguments.seed) : text;
+}
+
+fs::path output_folder(const SceneArguments& arguments, const Scene& scene) {
+  return arguments.folder.empty() ? fs::path("out") / scene.name : arguments.folder;
+}
+
+void print_report(const CommonArguments& common, const fs::path& folder, const Report& report) {
+  const std::string text = common.output == CommonArguments::Output::json
+                               ? read_file(folder / "report.json")
+                               : report_text(report);
+  std::fputs(text.c_str(), stdout);
+}
+
+void print_paths(const CommonArguments& common, const std::vector<fs::path>& paths) {
+  if (common.output == CommonArguments::Output::text) {
+    for (const fs::path& path : paths) {
+      fmt::print("{}\n", path.string());
+    }
+  }
+}
+
+/// POV-Ray and what else rendering takes, set up once for a command.
+struct Renderer {
+  SystemRunner runner;
+  Povray povray;
+  RenderTools tools;
+
+  Renderer(const CommonArguments& common, Terminal& terminal)
+      : povray(find_povray(runner, terminal)),
+        tools{runner, povray, thread_count(common), terminal} {}
+};
+
+/// The options of a finished folder, with what the command line says about pictures.
+Scene finished_scene(const PictureArguments& arguments) {
+  if (!fs::exists(arguments.folder / "sculpture.json")) {
+    throw Error({arguments.folder}, "holds no sculpture.json",
+                "name a folder that `collage pack` or `collage make` has written");
+  }
+  Scene scene = read_sculpture(arguments.folder / "sculpture.json").options;
+  for (const std::string& setting : arguments.settings) {
+    set_option(scene, setting);
+  }
+  if (!arguments.views.empty()) {
+    scene.render.stills = arguments.views;
+  }
+  return scene;
+}
+
+void require_frames(const PictureArguments& arguments, const Scene& scene) {
+  if (scene.turntable.frames == 0) {
+    throw Error({arguments.folder}, "its scene asks for no turntable",
+                "say how many frames: --set turntable.frames=36");
+  }
+}
+
+}  // namespace
+
+int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(common)));
+  const Scene scene = read_scene_with(arguments);
+  const fs::path folder = output_folder(arguments, scene);
+  const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  print_report(common, folder, report);
+  print_paths(common, {folder / "scene.pov", folder / "sculpture.json"});
+  return 0;
+}
+
+int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(common)));
+  const Scene scene = read_scene_with(arguments);
+  const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
+  const fs::path folder = output_folder(arguments, scene);
+  Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const Stopwatch rendering;
+  const std::vector<fs::path> pictures = render_outputs(renderer.tools, folder, scene);
+  report.seconds.render = rendering.seconds();
+  write_report(folder / "report.json", report);
+  print_report(common, folder, report);
+  print_paths(common, pictures);
+  return 0;
+}
+
+int run_still(const PictureArguments& arguments, const CommonArguments& common,
+              Terminal& terminal) {
+  const Scene scene = finished_scene(arguments);
+  const Renderer renderer(common, terminal);
+  if (!arguments.output.empty() && scene.render.stills.size() > 1) {
+    throw Error("-o names one picture and there are " +
+                    std::to_string(scene.render.stills.size()) + " views",
+                "choose one with --view");
+  }
+  std::vector<fs::path> paths;
+  for (const std::string& view : scene.render.stills) {
+    Shot shot = still_shot(scene, view);
+    shot.stage = arguments.stage.value_or(1.0);
+    shot.only_element = arguments.element;
+    shot.format = arguments.output.extension() == ".exr" ||
+                          (arguments.output.empty() && scene.render.exr)
+                      ? PictureFormat::exr
+                      : PictureFormat::png;
+    paths.push_back(arguments.output.empty() ? still_path(arguments.folder, shot)
+                                             : arguments.output);
+    const PictureJob job{shot, paths.back()};
+    render_pictures(renderer.tools, arguments.folder, std::span(&job, 1),
+                    "still " + shot.view.name);
+  }
+  print_paths(common, paths);
+  return 0;
+}
+
+int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
+                  Terminal& terminal) {
+  const Scene scene = finished_scene(arguments);
+  require_frames(arguments, scene);
+  const Renderer renderer(common, terminal);
+  render_turntable(renderer.tools, arguments.folder, turntable_of(scene));
+  print_paths(common, {arguments.folder / "turntable" / "turntable.gif",
+                       write_turntable_sheet(arguments.folder, scene)});
+  return 0;
+}
+
+int run_render(const PictureArguments& arguments, const CommonArguments& common,
+               Terminal& terminal) {
+  const Scene scene = finished_scene(arguments);
+  const Renderer renderer(common, terminal);
+  if (arguments.frames.empty()) {
+    print_paths(common, render_outputs(renderer.tools, arguments.folder, scene));
+    return 0;
+  }
+  require_frames(arguments, scene);
+  const FrameRange range = parse_frame_range(arguments.frames, scene.turntable.frames);
+  render_turntable_frames(renderer.tools, arguments.folder, turntable_of(scene), range);
+  return 0;
+}
+
+}  // namespace collage

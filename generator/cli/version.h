@@ -1,0 +1,7 @@
+#pragma once
+
+namespace collage {
+
+inline constexpr const char* version = COLLAGE_VERSION;
+
+}  // namespace collage
