@@ -1,16 +1,16 @@
 #include "base/file.h"
 
-#include <fcntl.h>
-#include <openssl/evp.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/error.h"
 
@@ -48,8 +48,7 @@ std::string read_file(const fs::path& path, std::uintmax_t limit_bytes) {
     throw Error({path}, "is not a regular file", "name a file, not a folder or device");
   }
   if (static_cast<std::uintmax_t>(info.st_size) > limit_bytes) {
-    throw Error({path},
-                "is larger than the limit of " + std::to_string(limit_bytes >> 20) + " MiB",
+    throw Error({path}, "is larger than the limit of " + std::to_string(limit_bytes >> 20) + " MiB",
                 "use a smaller file");
   }
   std::string content(static_cast<std::size_t>(info.st_size), '\0');
@@ -77,7 +76,8 @@ void write_file(const fs::path& path, std::string_view content) {
   writer.commit();
 }
 
-FileWriter::FileWriter(fs::path path) : path_(std::move(path)), temporary_(temporary_beside(path_)) {
+FileWriter::FileWriter(fs::path path)
+    : path_(std::move(path)), temporary_(temporary_beside(path_)) {
   std::error_code ignored;  // a folder that cannot be made is reported by open() below
   fs::create_directories(path_.parent_path(), ignored);
   descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

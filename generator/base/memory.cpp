@@ -1,8 +1,8 @@
 #include "base/memory.h"
 
-#include <fmt/format.h>
-
 #include <fstream>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 

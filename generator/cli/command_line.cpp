@@ -1,11 +1,11 @@
 #include "cli/command_line.h"
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <new>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -38,15 +38,16 @@ class CommandLine {
                          int (*runner)(const SceneArguments&, const CommonArguments&, Terminal&));
   CLI::App* add_picture_command(const char* name, const char* help,
                                 int (*runner)(const PictureArguments&, const CommonArguments&,
-                                           Terminal&));
+                                              Terminal&));
   void add_sheet();
   void add_compare();
   void add_export();
   void add_small_commands();
 
-  CLI::App app_{"Fills a shape with copies of other shapes, biggest first, without overlap, and "
-                "has POV-Ray make pictures of it.\n\n"
-                "To begin with: collage make scenes/teapot"};
+  CLI::App app_{
+      "Fills a shape with copies of other shapes, biggest first, without overlap, and "
+      "has POV-Ray make pictures of it.\n\n"
+      "To begin with: collage make scenes/teapot"};
   std::function<int(Terminal&)> run_;
   CommonArguments common_;
   SceneArguments scene_;
@@ -66,8 +67,10 @@ CommandLine::CommandLine() {
   add_scene_command("make", "Pack a scene and render all that it asks for", run_make);
   add_scene_command("pack", "Pack a scene, without pictures", run_pack);
   CLI::App* still = add_picture_command("still", "Render stills of a finished folder", run_still);
-  still->add_option("--view", picture_.views,
-                    "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15");
+  still
+      ->add_option("--view", picture_.views,
+                   "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15")
+      ->allow_extra_args(false);
   still->add_option("--stage", picture_.stage, "Share of the instances shown")
       ->check(CLI::Range(0.0001, 1.0));
   still->add_option("--element", picture_.element, "Show the element of this number alone, from 0")
@@ -93,8 +96,7 @@ void CommandLine::add_common(CLI::App* command) {
       "--quiet", [this] { common_.verbosity = TerminalStyle::Verbosity::quiet; },
       "Say nothing but errors");
   command->add_flag_callback(
-      "--verbose", [this] { common_.verbosity = TerminalStyle::Verbosity::verbose; },
-      "Say more");
+      "--verbose", [this] { common_.verbosity = TerminalStyle::Verbosity::verbose; }, "Say more");
 }
 
 void CommandLine::add_json(CLI::App* command) {
@@ -105,32 +107,38 @@ void CommandLine::add_json(CLI::App* command) {
 
 void CommandLine::add_scene_command(const char* name, const char* help,
                                     int (*runner)(const SceneArguments&, const CommonArguments&,
-                                               Terminal&)) {
+                                                  Terminal&)) {
   CLI::App* command = add(name, help);
   command->add_option("scene", scene_.scene, "A scene.toml, its folder, or the name of a scene")
       ->required();
   command->add_option("-o,--output", scene_.folder, "Folder to write to; out/<scene> by default");
-  command->add_option("--set", scene_.settings,
-                      "Another value for an option of the scene, as packing.threshold=0.01; "
-                      "`collage options` lists them");
+  command
+      ->add_option("--set", scene_.settings,
+                   "Another value for an option of the scene, as packing.threshold=0.01; "
+                   "`collage options` lists them")
+      ->allow_extra_args(false);
   command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…");
   add_common(command);
   add_json(command);
-  command->callback(
-      [this, runner] { run_ = [this, runner](Terminal& t) { return runner(scene_, common_, t); }; });
+  command->callback([this, runner] {
+    run_ = [this, runner](Terminal& t) { return runner(scene_, common_, t); };
+  });
 }
 
 CLI::App* CommandLine::add_picture_command(const char* name, const char* help,
                                            int (*runner)(const PictureArguments&,
-                                                      const CommonArguments&, Terminal&)) {
+                                                         const CommonArguments&, Terminal&)) {
   CLI::App* command = add(name, help);
   command->add_option("folder", picture_.folder, "A folder that make or pack has written")
       ->required();
-  command->add_option("--set", picture_.settings,
-                      "Another value for an option of its scene, as render.template=clay");
+  command
+      ->add_option("--set", picture_.settings,
+                   "Another value for an option of its scene, as render.template=clay")
+      ->allow_extra_args(false);
   add_common(command);
-  command->callback(
-      [this, runner] { run_ = [this, runner](Terminal& t) { return runner(picture_, common_, t); }; });
+  command->callback([this, runner] {
+    run_ = [this, runner](Terminal& t) { return runner(picture_, common_, t); };
+  });
   return command;
 }
 
@@ -138,11 +146,14 @@ void CommandLine::add_sheet() {
   CLI::App* command = add("sheet", "Lay pictures out on a contact sheet");
   command->add_option("pictures", sheet_.pictures, "PNG or EXR files")->required();
   command->add_option("-o,--output", sheet_.output, "The sheet")->capture_default_str();
-  command->add_option("--columns", sheet_.columns)->check(CLI::Range(1, 100))->capture_default_str();
+  command->add_option("--columns", sheet_.columns)
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   command->add_option("--cell", sheet_.cell_size, "Longest side of a picture on it, in pixels")
       ->check(CLI::Range(16, 4096))
       ->capture_default_str();
-  command->add_option("--caption", sheet_.captions, "One a picture, by default its file's name");
+  command->add_option("--caption", sheet_.captions, "One a picture, by default its file's name")
+      ->allow_extra_args(false);
   command->add_option("--title", sheet_.title);
   command->callback([this] { run_ = [this](Terminal&) { return run_sheet(sheet_); }; });
 }
@@ -156,23 +167,27 @@ void CommandLine::add_compare() {
   command->add_option("--amplify", compare_.amplification)
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--fail", compare_.thresholds.fail,
-                      "A pixel fails where a channel, 0 to 1, differs by more")
+  command
+      ->add_option("--fail", compare_.thresholds.fail,
+                   "A pixel fails where a channel, 0 to 1, differs by more")
       ->capture_default_str();
-  command->add_option("--failing-share", compare_.thresholds.failing_share,
-                      "This share of the pixels may fail")
+  command
+      ->add_option("--failing-share", compare_.thresholds.failing_share,
+                   "This share of the pixels may fail")
       ->capture_default_str();
   command->add_option("--hard-fail", compare_.thresholds.hard_fail, "No pixel may differ by more")
       ->capture_default_str();
   add_json(command);
-  command->callback([this] { run_ = [this](Terminal&) { return run_compare(compare_, common_); }; });
+  command->callback(
+      [this] { run_ = [this](Terminal&) { return run_compare(compare_, common_); }; });
 }
 
 void CommandLine::add_export() {
   CLI::App* command = add("export", "Write a sculpture as one OBJ, or a mesh as signed distances");
   command->add_option("input", export_.input, "A finished folder, or a mesh")->required();
   command->add_option("--obj", export_.obj, "All instances of the folder, with an MTL beside");
-  command->add_option("--sdf", export_.sdf, "Signed distances to the mesh, as target.sdf reads them");
+  command->add_option("--sdf", export_.sdf,
+                      "Signed distances to the mesh, as target.sdf reads them");
   command->add_option("--resolution", export_.resolution, "Voxels on the longest side, for --sdf")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
@@ -188,7 +203,8 @@ void CommandLine::add_small_commands() {
   CLI::App* model = add("model", "Write a starter model as OBJ; without a name, list them");
   model->add_option("name", model_);
   model->add_option("-o,--output", model_output_, "By default the name with .obj");
-  model->callback([this] { run_ = [this](Terminal&) { return run_model(model_, model_output_); }; });
+  model->callback(
+      [this] { run_ = [this](Terminal&) { return run_model(model_, model_output_); }; });
 
   add("scenes", "List the scenes that come with the program")->callback([this] {
     run_ = [](Terminal&) { return run_scenes(); };

@@ -28,7 +28,8 @@ struct SceneArguments {
   /// Empty: out/<name of the scene>.
   std::filesystem::path folder;
   std::vector<std::string> settings;
-  std::optional<std::uint64_t> seed;
+  /// Empty: the scene's own.
+  std::string seed;
 };
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
@@ -44,8 +45,7 @@ struct PictureArguments {
   std::optional<int> element;
   std::filesystem::path output;
 };
-int run_still(const PictureArguments& arguments, const CommonArguments& common,
-              Terminal& terminal);
+int run_still(const PictureArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
                   Terminal& terminal);
 int run_render(const PictureArguments& arguments, const CommonArguments& common,

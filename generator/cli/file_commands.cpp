@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdio>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -80,10 +80,11 @@ std::string comparison_text(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n", word(comparison.verdict), comparison.reason);
   if (comparison.numbers && comparison.verdict != Verdict::same) {
     const Comparison::Numbers& n = *comparison.numbers;
-    text += fmt::format("mean error {:.6f}, maximum {:.6f} at {},{}, PSNR {:.2f} dB, {} of {} pixels fail\n",
-                        n.mean_error, n.max_error, n.max_x, n.max_y,
-                        n.psnr_decibels.value_or(0.0), grouped(static_cast<std::uint64_t>(n.failing_pixels)),
-                        grouped(static_cast<std::uint64_t>(n.pixels)));
+    text += fmt::format(
+        "mean error {:.6f}, maximum {:.6f} at {},{}, PSNR {:.2f} dB, {} of {} pixels fail\n",
+        n.mean_error, n.max_error, n.max_x, n.max_y, n.psnr_decibels.value_or(0.0),
+        grouped(static_cast<std::uint64_t>(n.failing_pixels)),
+        grouped(static_cast<std::uint64_t>(n.pixels)));
   }
   return text;
 }
@@ -94,8 +95,8 @@ int run_sheet(const SheetArguments& arguments) {
   std::vector<SheetPicture> pictures;
   for (std::size_t i = 0; i < arguments.pictures.size(); ++i) {
     const fs::path& path = arguments.pictures[i];
-    pictures.push_back({path, i < arguments.captions.size() ? arguments.captions[i]
-                                                            : path.stem().string()});
+    pictures.push_back(
+        {path, i < arguments.captions.size() ? arguments.captions[i] : path.stem().string()});
   }
   SheetLayout layout;
   layout.columns = std::min(arguments.columns, static_cast<int>(pictures.size()));
@@ -188,8 +189,8 @@ int run_scenes() {
 }
 
 int run_options(CommonArguments::Output output) {
-  const std::string text = output == CommonArguments::Output::text ? options_text()
-                                                                   : scene_reference_markdown();
+  const std::string text =
+      output == CommonArguments::Output::text ? options_text() : scene_reference_markdown();
   std::fputs(text.c_str(), stdout);
   return 0;
 }

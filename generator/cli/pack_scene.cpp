@@ -91,8 +91,7 @@ Workshop::Workshop(const Scene& scene, Status& status) {
 }
 
 Sculpture describe(const Scene& scene, const std::string& command, const Workshop& workshop,
-                   const std::vector<Instance>& instances, const fs::path& folder,
-                   Status& status) {
+                   const std::vector<Instance>& instances, const fs::path& folder, Status& status) {
   Sculpture sculpture;
   sculpture.version = version;
   sculpture.command = command;
@@ -101,8 +100,8 @@ Sculpture describe(const Scene& scene, const std::string& command, const Worksho
   sculpture.target = copy_inputs(workshop.target_files, folder, "target", status);
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
     Sculpture::Element element;
-    static_cast<Sculpture::Input&>(element) = copy_inputs(
-        workshop.element_files[e].files, folder, "element-" + std::to_string(e), status);
+    static_cast<Sculpture::Input&>(element) = copy_inputs(workshop.element_files[e].files, folder,
+                                                          "element-" + std::to_string(e), status);
     element.name = scene.elements[e].mesh.stem().string();
     element.size = workshop.elements[e].size();
     sculpture.elements.push_back(element);
@@ -152,8 +151,8 @@ Report summarise(const Scene& scene, const Workshop& workshop, const Packing& pa
     const auto count =
         std::count_if(packing.instances.begin(), packing.instances.end(),
                       [e](const Instance& instance) { return instance.element == e; });
-    report.elements.push_back({scene.elements[e].mesh.stem().string(),
-                               workshop.elements[e].faces(), static_cast<std::uint64_t>(count)});
+    report.elements.push_back({scene.elements[e].mesh.stem().string(), workshop.elements[e].faces(),
+                               static_cast<std::uint64_t>(count)});
   }
   report.seconds.place = packing.place_seconds;
   report.seconds.update = packing.update_seconds;
@@ -169,8 +168,8 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
   const auto [workshop, field] = [&] {
     const Stage stage(status, "preparing");
     auto shop = std::make_unique<Workshop>(scene, status);
-    const VoxelGrid grid = shop->target->voxels(scene.target.resolution, scene.target.jitter,
-                                                scene.packing.seed);
+    const VoxelGrid grid =
+        shop->target->voxels(scene.target.resolution, scene.target.jitter, scene.packing.seed);
     auto clearances = std::make_unique<ClearanceField>(*shop->target, grid, status);
     return std::pair(std::move(shop), std::move(clearances));
   }();

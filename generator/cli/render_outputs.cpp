@@ -1,8 +1,8 @@
 #include "cli/render_outputs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "render/contact_sheet.h"
 
@@ -66,8 +66,7 @@ std::vector<fs::path> render_stills(const RenderTools& tools, const fs::path& fo
   return paths;
 }
 
-fs::path render_stage_sheet(const RenderTools& tools, const fs::path& folder,
-                            const Scene& scene) {
+fs::path render_stage_sheet(const RenderTools& tools, const fs::path& folder, const Scene& scene) {
   std::vector<PictureJob> jobs;
   std::vector<SheetPicture> pictures;
   for (const double share : scene.contact_sheet.stages) {

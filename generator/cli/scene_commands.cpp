@@ -1,8 +1,8 @@
-#include <fmt/format.h>
-#include <tbb/global_control.h>
-
 #include <cstdio>
 #include <thread>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -147,8 +147,8 @@ int run_still(const PictureArguments& arguments, const CommonArguments& common,
   const Scene scene = finished_scene(arguments);
   const Renderer renderer(common, terminal);
   if (!arguments.output.empty() && scene.render.stills.size() > 1) {
-    throw Error("-o names one picture and there are " +
-                    std::to_string(scene.render.stills.size()) + " views",
+    throw Error("-o names one picture and there are " + std::to_string(scene.render.stills.size()) +
+                    " views",
                 "choose one with --view");
   }
   std::vector<fs::path> paths;
@@ -156,10 +156,10 @@ int run_still(const PictureArguments& arguments, const CommonArguments& common,
     Shot shot = still_shot(scene, view);
     shot.stage = arguments.stage.value_or(1.0);
     shot.only_element = arguments.element;
-    shot.format = arguments.output.extension() == ".exr" ||
-                          (arguments.output.empty() && scene.render.exr)
-                      ? PictureFormat::exr
-                      : PictureFormat::png;
+    shot.format =
+        arguments.output.extension() == ".exr" || (arguments.output.empty() && scene.render.exr)
+            ? PictureFormat::exr
+            : PictureFormat::png;
     paths.push_back(arguments.output.empty() ? still_path(arguments.folder, shot)
                                              : arguments.output);
     const PictureJob job{shot, paths.back()};

@@ -108,9 +108,9 @@ struct ClosestPointIndex::Hierarchy {
     auto* vertices = static_cast<glm::vec3*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(glm::vec3), mesh.positions.size()));
-    auto* indices = static_cast<uvec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(uvec3), mesh.triangles.size()));
+    auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                                                RTC_FORMAT_UINT3, sizeof(uvec3),
+                                                                mesh.triangles.size()));
     if ((vertices == nullptr && !mesh.positions.empty()) ||
         (indices == nullptr && !mesh.triangles.empty())) {
       throw std::bad_alloc();

@@ -1,12 +1,12 @@
 #include "geometry/distance_grid.h"
 
-#include <tbb/parallel_for.h>
-
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
+
+#include <tbb/parallel_for.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -149,7 +149,8 @@ DistanceGrid read_distance_grid(const std::filesystem::path& path) {
 void write_distance_grid(const std::filesystem::path& path, const DistanceGrid& grid) {
   FileWriter writer(path);
   std::string line =
-      "# Signed distances, negative inside: voxels along x, y and z, then one a voxel, x fastest.\n";
+      "# Signed distances, negative inside: voxels along x, y and z, then one a voxel, x "
+      "fastest.\n";
   for (int axis = 0; axis < 3; ++axis) {
     line += std::to_string(grid.size[axis]) + (axis < 2 ? " " : "\norigin");
   }

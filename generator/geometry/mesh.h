@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <glm/glm.hpp>
 #include <string>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 namespace collage {
 

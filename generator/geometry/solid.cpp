@@ -92,8 +92,8 @@ double Solid::sampled_volume() const {
     for (int j = 0; j < cells_per_side; ++j) {
       for (int i = 0; i < cells_per_side; ++i) {
         const Cell state = cells_[cell_index(i, j, k)];
-        cells += state == Cell::mixed ? share_inside({i, j, k, 1})
-                                      : (state == Cell::inside ? 1.0 : 0.0);
+        cells +=
+            state == Cell::mixed ? share_inside({i, j, k, 1}) : (state == Cell::inside ? 1.0 : 0.0);
       }
     }
   }

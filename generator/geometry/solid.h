@@ -6,7 +6,8 @@
 
 namespace collage {
 
-/// Positions and triangles of `mesh`, moved and scaled so that the given ball becomes the unit ball.
+/// Positions and triangles of `mesh`, moved and scaled so that the given ball becomes the unit
+/// ball.
 Mesh in_unit_frame(const Mesh& mesh, const dvec3& center, double radius);
 
 /// A mesh seen as the solid that it bounds, in a unit frame of its own: a given ball round the mesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
 #include <glm/gtc/constants.hpp>
 
 namespace collage {
@@ -86,8 +87,8 @@ std::uint32_t WindingNumber::build(std::uint32_t begin, std::uint32_t end) {
       box.include(triangles_[t].a + triangles_[t].b + triangles_[t].c);
     }
     const dvec3 extent = box.extent();
-    const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2)
-                                          : (extent.y >= extent.z ? 1 : 2);
+    const int axis =
+        extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
     const std::uint32_t middle = begin + (end - begin) / 2;
     std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle,
                      triangles_.begin() + end, [axis](const Triangle& s, const Triangle& t) {
@@ -144,12 +145,13 @@ double WindingNumber::at(const dvec3& point) const {
     if (squared > cluster.far_distance_squared) {
       const double inverse_squared = 1.0 / squared;
       const double inverse_cubed = inverse_squared * std::sqrt(inverse_squared);
-      const double trace = cluster.moment_diagonal.x + cluster.moment_diagonal.y +
-                           cluster.moment_diagonal.z;
-      const double quadratic = glm::dot(cluster.moment_diagonal, r * r) +
-                               glm::dot(cluster.moment_mixed, dvec3(r.x * r.y, r.y * r.z, r.z * r.x));
-      far_sum += inverse_cubed *
-                 (glm::dot(cluster.dipole, r) + trace - 3.0 * quadratic * inverse_squared);
+      const double trace =
+          cluster.moment_diagonal.x + cluster.moment_diagonal.y + cluster.moment_diagonal.z;
+      const double quadratic =
+          glm::dot(cluster.moment_diagonal, r * r) +
+          glm::dot(cluster.moment_mixed, dvec3(r.x * r.y, r.y * r.z, r.z * r.x));
+      far_sum +=
+          inverse_cubed * (glm::dot(cluster.dipole, r) + trace - 3.0 * quadratic * inverse_squared);
     } else if (cluster.second_child == 0) {
       for (std::uint32_t t = cluster.begin; t < cluster.end; ++t) {
         const auto& [a, b, c] = triangles_[t];

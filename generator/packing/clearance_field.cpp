@@ -1,9 +1,9 @@
 #include "packing/clearance_field.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
+
+#include <tbb/parallel_for.h>
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -55,7 +55,8 @@ ClearanceField::Block ClearanceField::block(std::size_t index) {
 }
 
 float ClearanceField::scan_block(std::size_t index) const {
-  const auto first = clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
+  const auto first =
+      clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
   float maximum = -1.0F;
   for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
     maximum = std::max(maximum, first[static_cast<std::ptrdiff_t>(slot)]);
@@ -86,7 +87,8 @@ Hole ClearanceField::largest_hole() const {
     node = maxima_[2 * node] == maximum ? 2 * node : 2 * node + 1;
   }
   const std::size_t index = node - leaves_;
-  const auto first = clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
+  const auto first =
+      clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
   const auto at = std::find(first, first + VoxelGrid::block_voxels, maximum);
   const glm::ivec3 voxel = grid_.block_at(index) * VoxelGrid::block_side +
                            VoxelGrid::local_at(static_cast<std::size_t>(at - first));

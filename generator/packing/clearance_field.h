@@ -44,9 +44,7 @@ class ClearanceField {
   [[nodiscard]] Hole largest_hole() const;
 
   [[nodiscard]] Block block(std::size_t index);
-  [[nodiscard]] float block_maximum(std::size_t index) const {
-    return maxima_[leaves_ + index];
-  }
+  [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
   /// The largest clearance in the block, from its voxels.

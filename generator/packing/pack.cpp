@@ -1,9 +1,10 @@
 #include "packing/pack.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -104,8 +105,8 @@ dvec3 Packer::direction_to_surface(const Hole& hole) const {
   }
   const Instance& neighbour = instances_[hole.nearest - 1];
   const Solid& solid = ingredients_[neighbour.element].element.solid();
-  const dvec3 in_mesh = glm::conjugate(neighbour.rotation) *
-                        (hole.center - neighbour.translation) / neighbour.scale;
+  const dvec3 in_mesh =
+      glm::conjugate(neighbour.rotation) * (hole.center - neighbour.translation) / neighbour.scale;
   const dvec3 unit = solid.unit_from_mesh(in_mesh);
   const auto closest = solid.surface().find(unit, std::numeric_limits<double>::infinity());
   return glm::normalize(neighbour.rotation * (closest->point - unit));

@@ -1,9 +1,9 @@
 #include "packing/update.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <tbb/parallel_for.h>
 
 #include "packing/rounding.h"
 
@@ -57,7 +57,8 @@ VoxelRange voxels_within(const VoxelGrid& grid, const dvec3& center, double reac
   const dvec3 from = glm::floor((center - reach - grid.origin) / grid.voxel_side);
   const dvec3 to = glm::floor((center + reach - grid.origin) / grid.voxel_side) + 1.0;
   const dvec3 end(grid.size);
-  return {glm::ivec3(glm::clamp(from, dvec3(0.0), end)), glm::ivec3(glm::clamp(to, dvec3(0.0), end))};
+  return {glm::ivec3(glm::clamp(from, dvec3(0.0), end)),
+          glm::ivec3(glm::clamp(to, dvec3(0.0), end))};
 }
 
 /// Updates the voxels of one block; returns how many were flagged.

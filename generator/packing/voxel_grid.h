@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include <glm/glm.hpp>
 
 #include "base/rng.h"
@@ -51,10 +52,10 @@ struct VoxelGrid {
                      static_cast<std::uint64_t>(voxel.x);
     const std::uint64_t bits = mix_bits(mix_bits(seed) ^ key);
     constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
-    const glm::dvec3 uniform = glm::dvec3(static_cast<double>(bits & mask),
-                                          static_cast<double>(bits >> 21 & mask),
-                                          static_cast<double>(bits >> 42 & mask)) *
-                               0x1p-21;
+    const glm::dvec3 uniform =
+        glm::dvec3(static_cast<double>(bits & mask), static_cast<double>(bits >> 21 & mask),
+                   static_cast<double>(bits >> 42 & mask)) *
+        0x1p-21;
     return origin + (glm::dvec3(voxel) + 0.5 + jitter * (uniform - 0.5)) * voxel_side;
   }
 };

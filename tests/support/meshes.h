@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+
 #include <glm/gtc/constants.hpp>
 
 #include "base/rng.h"
@@ -53,14 +54,15 @@ inline Mesh torus_mesh(double ring_radius, double tube_radius, unsigned around, 
   return mesh;
 }
 
-/// A closed, star-shaped blob of longitude-latitude quads; its radius varies by `bumps` (0: a ball).
+/// A closed, star-shaped blob of longitude-latitude quads; its radius varies by `bumps` (0: a
+/// ball).
 inline Mesh blob_mesh(double radius, double bumps, unsigned rings) {
   Mesh mesh;
   const unsigned segments = 2 * rings;
   const auto point = [&](double theta, double phi) {
     const double r = radius * (1.0 + bumps * std::sin(3.0 * theta) * std::cos(4.0 * phi));
-    return r * dvec3(std::sin(theta) * std::cos(phi), std::cos(theta),
-                     std::sin(theta) * std::sin(phi));
+    return r *
+           dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
   };
   mesh.positions.push_back(point(0.0, 0.0));
   for (unsigned i = 1; i < rings; ++i) {

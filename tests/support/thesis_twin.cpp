@@ -1,9 +1,10 @@
 #include "support/thesis_twin.h"
 
 #include <algorithm>
-#include <glm/gtc/constants.hpp>
 #include <limits>
 #include <set>
+
+#include <glm/gtc/constants.hpp>
 
 #include "base/rng.h"
 #include "packing/orientation.h"
@@ -119,8 +120,8 @@ Instance ThesisTwin::place(const Voxel& hole, const Choice& choice, double spin_
   Instance instance;
   instance.element = choice.element;
   instance.scale = choice.scale;
-  instance.rotation = orientation(element.farthest_direction, glm::normalize(hole.to_surface),
-                                  spin_radians);
+  instance.rotation =
+      orientation(element.farthest_direction, glm::normalize(hole.to_surface), spin_radians);
   instance.translation = hole.point - instance.rotation * (choice.scale * element.center);
   return instance;
 }
@@ -147,8 +148,8 @@ void ThesisTwin::update(const Instance& instance) {
 void ThesisTwin::flag_interior_voxels(const Placed& element) {
   for (Voxel& voxel : voxels_) {
     const dvec3 offset = glm::abs(voxel.point - element.center);
-    const bool in_box = offset.x <= element.radius && offset.y <= element.radius &&
-                        offset.z <= element.radius;
+    const bool in_box =
+        offset.x <= element.radius && offset.y <= element.radius && offset.z <= element.radius;
     if (voxel.state == Voxel::State::free && in_box && inside(voxel.point, element)) {
       voxel.state = Voxel::State::filled;
       voxel.signed_distance = 0.0;

@@ -1,9 +1,9 @@
 #include "geometry/closest_point.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "support/meshes.h"
 
@@ -16,8 +16,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 double brute_force_distance(const Mesh& mesh, const dvec3& query) {
   double best = unbounded;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const dvec3 point = closest_point_on_triangle(query, mesh.corner(t, 0), mesh.corner(t, 1),
-                                                  mesh.corner(t, 2));
+    const dvec3 point =
+        closest_point_on_triangle(query, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     best = std::min(best, glm::distance(query, point));
   }
   return best;

@@ -20,8 +20,8 @@ TEST(Solid, InsideAgreesWithTheWindingNumberEverywhere) {
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {
       const dvec3 point = test::random_point(rng, 1.2);
-      ASSERT_EQ(solid.inside(point), solid.inside_by_winding_number(point)) << point.x << " "
-                                                                            << point.y;
+      ASSERT_EQ(solid.inside(point), solid.inside_by_winding_number(point))
+          << point.x << " " << point.y;
       inside += solid.inside(point) ? 1 : 0;
     }
     EXPECT_GT(inside, 50);

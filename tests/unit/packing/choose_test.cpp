@@ -1,8 +1,8 @@
 #include "packing/choose.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
+
+#include <gtest/gtest.h>
 
 namespace collage {
 namespace {

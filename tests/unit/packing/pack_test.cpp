@@ -1,9 +1,9 @@
 #include "packing/pack.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-
-#include <map>
 
 #include "support/meshes.h"
 #include "support/thesis_twin.h"
@@ -64,8 +64,8 @@ TEST(Pack, PlacesWhatItsLiteralTwinPlaces) {
     const MeshTarget target(setup.target_mesh);
     std::vector<test::TwinElement> twins;
     for (std::size_t e = 0; e < setup.element_meshes.size(); ++e) {
-      twins.push_back({setup.element_meshes[e], fast.elements[e].center(),
-                       fast.elements[e].size(), fast.elements[e].farthest_direction()});
+      twins.push_back({setup.element_meshes[e], fast.elements[e].center(), fast.elements[e].size(),
+                       fast.elements[e].farthest_direction()});
     }
     test::ThesisTwin twin(target, target.voxels(setup.resolution, 0.5, 1), twins, setup.options);
     const std::vector<Instance> slow = twin.run();
@@ -116,8 +116,8 @@ TEST(Pack, NoVertexIsInsideAnotherInstanceOrOutsideTheTarget) {
             continue;
           }
           const Solid& solid = result.elements[b.element].solid();
-          const dvec3 unit = solid.unit_from_mesh(glm::conjugate(b.rotation) *
-                                                  (world - b.translation) / b.scale);
+          const dvec3 unit =
+              solid.unit_from_mesh(glm::conjugate(b.rotation) * (world - b.translation) / b.scale);
           ASSERT_FALSE(glm::length(unit) < 1.0 && solid.inside(unit));
           ASSERT_FALSE(solid.surface().find(unit, gap / radius(result, b) * (1 - 1e-9)));
         }

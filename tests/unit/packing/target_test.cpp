@@ -32,8 +32,7 @@ TEST(GridTarget, GivesTheFilesDistancesAndTheirSlope) {
   for (v.z = 0; v.z < 12; ++v.z) {
     for (v.y = 0; v.y < 12; ++v.y) {
       for (v.x = 0; v.x < 12; ++v.x) {
-        grid.values.push_back(
-            static_cast<float>(glm::distance(grid.center(v), dvec3(3.0)) - 2.0));
+        grid.values.push_back(static_cast<float>(glm::distance(grid.center(v), dvec3(3.0)) - 2.0));
       }
     }
   }

@@ -1,8 +1,8 @@
 #include "packing/update.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "support/meshes.h"
 
@@ -26,10 +26,10 @@ void expect_true_clearances(ClearanceField& field, const Mesh& target_mesh, cons
       double truth = std::numeric_limits<double>::infinity();
       const auto consider = [&](const Mesh& mesh, const Instance& placed) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-          const dvec3 closest = closest_point_on_triangle(
-              p, placed.world_from_element(mesh.corner(t, 0)),
-              placed.world_from_element(mesh.corner(t, 1)),
-              placed.world_from_element(mesh.corner(t, 2)));
+          const dvec3 closest =
+              closest_point_on_triangle(p, placed.world_from_element(mesh.corner(t, 0)),
+                                        placed.world_from_element(mesh.corner(t, 1)),
+                                        placed.world_from_element(mesh.corner(t, 2)));
           truth = std::min(truth, glm::distance(p, closest));
         }
       };
