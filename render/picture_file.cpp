@@ -68,8 +68,8 @@ Picture read_picture(const fs::path& path) {
   const std::unique_ptr<OIIO::ImageInput> input =
       OIIO::ImageInput::open("picture" + path.extension().string(), nullptr, &memory);
   if (!input) {
-    throw Error({path}, "is not a picture that can be read: " + OIIO::geterror(),
-                "name a PNG or EXR file");
+    OIIO::geterror();  // it would speak of a file named "picture"
+    throw Error({path}, "is not a picture that can be read", "name a PNG or EXR file");
   }
   const OIIO::ImageSpec& spec = input->spec();
   Picture picture;

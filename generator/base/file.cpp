@@ -79,9 +79,16 @@ void write_file(const fs::path& path, std::string_view content) {
 FileWriter::FileWriter(fs::path path)
     : path_(std::move(path)), temporary_(temporary_beside(path_)) {
   std::error_code ignored;  // a folder that cannot be made is reported by open() below
+  for (fs::path folder = path_.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+       folder = folder.parent_path()) {
+    folders_.push_back(folder);
+  }
   fs::create_directories(path_.parent_path(), ignored);
   descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
+    const int error = errno;
+    remove_folders();
+    errno = error;
     fail("created");
   }
   buffer_.reserve(buffer_bytes);
@@ -91,6 +98,14 @@ FileWriter::~FileWriter() {
   if (descriptor_ >= 0) {
     ::close(descriptor_);
     ::unlink(temporary_.c_str());
+    remove_folders();
+  }
+}
+
+/// Those that have been filled since stay.
+void FileWriter::remove_folders() const {
+  for (const fs::path& folder : folders_) {
+    ::rmdir(folder.c_str());
   }
 }
 

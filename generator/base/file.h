@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace collage {
 
@@ -17,7 +18,7 @@ std::string read_file(const std::filesystem::path& path,
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// A file written piece by piece, under the same promise: it appears under its name by commit(),
-/// and an object that dies without leaves nothing behind.
+/// and an object that dies without leaves nothing behind, nor a folder that it made.
 class FileWriter {
  public:
   explicit FileWriter(std::filesystem::path path);
@@ -30,10 +31,12 @@ class FileWriter {
 
  private:
   void flush();
+  void remove_folders() const;
   [[noreturn]] void fail(const char* action) const;
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  std::vector<std::filesystem::path> folders_;  // those that were missing, the innermost first
   std::string buffer_;
   int descriptor_ = -1;
 };

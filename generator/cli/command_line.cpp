@@ -43,6 +43,7 @@ class CommandLine {
   void add_compare();
   void add_export();
   void add_small_commands();
+  [[nodiscard]] std::string complaint(const CLI::ParseError& error, int argc, char** argv) const;
 
   CLI::App app_{
       "Fills a shape with copies of other shapes, biggest first, without overlap, and "
@@ -117,7 +118,7 @@ void CommandLine::add_scene_command(const char* name, const char* help,
                    "Another value for an option of the scene, as packing.threshold=0.01; "
                    "`collage options` lists them")
       ->allow_extra_args(false);
-  command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…");
+  command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…")->type_name("UINT");
   add_common(command);
   add_json(command);
   command->callback([this, runner] {
@@ -217,6 +218,22 @@ void CommandLine::add_small_commands() {
   options->callback([this] { run_ = [this](Terminal&) { return run_options(common_.output); }; });
 }
 
+/// One line on what is wrong with the arguments.
+std::string CommandLine::complaint(const CLI::ParseError& error, int argc, char** argv) const {
+  const auto commands = app_.get_subcommands();  // those that were given
+  if (commands.empty() && argc > 1 && *argv[1] != '-') {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands({})) {
+      names.push_back(command->get_name());
+    }
+    const std::string guess = did_you_mean(argv[1], names);
+    return fmt::format("there is no command '{}'; {}", argv[1],
+                       guess.empty() ? "see collage --help" : guess);
+  }
+  const std::string name = commands.empty() ? "" : " " + commands.front()->get_name();
+  return fmt::format("{}; see collage{} --help", error.what(), name);
+}
+
 std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
     app_.parse(argc, argv);
@@ -225,7 +242,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       return app_.exit(error);  // --help and --version
     }
-    fmt::print(stderr, "error: {}; see collage --help\n", error.what());
+    fmt::print(stderr, "error: {}\n", complaint(error, argc, argv));
     return bad_input;
   }
 }

@@ -4,11 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/stage.h"
 #include "base/stopwatch.h"
-#include "base/text.h"
 #include "cli/data_folder.h"
 #include "cli/version.h"
 #include "geometry/mesh_check.h"
@@ -75,7 +76,7 @@ Workshop::Workshop(const Scene& scene, Status& status) {
 [[noreturn]] void throw_nothing_fits(const Scene& scene, const Workshop& workshop,
                                      const Packing& packing) {
   const double longest = workshop.target->box().longest_side();
-  const std::string hole = number_text(packing.largest_hole / longest);
+  const std::string hole = fmt::format("{:.4g}", packing.largest_hole / longest);
   if (packing.voxels_inside_target == 0) {
     throw Error({scene.file}, "the target holds no space at this resolution",
                 "raise target.resolution, or check the mesh with: collage check");
@@ -163,37 +164,36 @@ Report summarise(const Scene& scene, const Workshop& workshop, const Packing& pa
 
 Report pack_scene(const Scene& scene, const std::string& command, const fs::path& folder,
                   Status& status) {
-  FileWriter probe(folder / "sculpture.json");  // an unwritable folder is said before the work
+  { const FileWriter probe(folder / "sculpture.json"); }  // an unwritable folder is said now
   Stopwatch preparing;
-  const auto [workshop, field] = [&] {
-    const Stage stage(status, "preparing");
-    auto shop = std::make_unique<Workshop>(scene, status);
-    const VoxelGrid grid =
-        shop->target->voxels(scene.target.resolution, scene.target.jitter, scene.packing.seed);
-    auto clearances = std::make_unique<ClearanceField>(*shop->target, grid, status);
-    return std::pair(std::move(shop), std::move(clearances));
-  }();
+  status.begin("preparing");
+  const Workshop workshop(scene, status);
+  ClearanceField field(
+      *workshop.target,
+      workshop.target->voxels(scene.target.resolution, scene.target.jitter, scene.packing.seed),
+      status);
+  status.end();
   const double prepare_seconds = preparing.seconds();
 
   if (scene.packing.distance == Distance::vertices) {
     status.note("distances are measured to vertices only: instances overlap");
   }
-  const Packing packing = [&] {
-    const Stage stage(status, "packing");
-    return pack(*workshop->target, *field, workshop->ingredients, scene.packing, status);
-  }();
+  status.begin("packing");
+  const Packing packing =
+      pack(*workshop.target, field, workshop.ingredients, scene.packing, status);
+  status.end();
   if (packing.instances.empty()) {
-    throw_nothing_fits(scene, *workshop, packing);
+    throw_nothing_fits(scene, workshop, packing);
   }
 
   Stopwatch writing;
   const Stage stage(status, "writing");
   copy_templates(scene, folder);
-  write_povray(folder, compose(scene, *workshop, packing.instances),
+  write_povray(folder, compose(scene, workshop, packing.instances),
                fs::path(scene.render.look).stem().string(), status);
   write_sculpture(folder / "sculpture.json",
-                  describe(scene, command, *workshop, packing.instances, folder, status));
-  Report report = summarise(scene, *workshop, packing);
+                  describe(scene, command, workshop, packing.instances, folder, status));
+  Report report = summarise(scene, workshop, packing);
   report.seconds.prepare = prepare_seconds;
   report.seconds.write = writing.seconds();
   write_report(folder / "report.json", report);

@@ -45,8 +45,8 @@ Scene read_scene_with(const SceneArguments& arguments) {
   for (const std::string& setting : arguments.settings) {
     set_option(scene, setting);
   }
-  if (arguments.seed) {
-    scene.packing.seed = *arguments.seed;
+  if (!arguments.seed.empty()) {
+    set_option(scene, "packing.seed=" + arguments.seed);
   }
   return scene;
 }
@@ -57,7 +57,7 @@ std::string command_text(const SceneArguments& arguments, const Scene& scene) {
   for (const std::string& setting : arguments.settings) {
     text += " --set " + setting;
   }
-  return arguments.seed ? text + fmt::format(" --seed {}", *arguments.seed) : text;
+  return arguments.seed.empty() ? text : text + fmt::format(" --seed {}", scene.packing.seed);
 }
 
 fs::path output_folder(const SceneArguments& arguments, const Scene& scene) {
@@ -106,6 +106,25 @@ Scene finished_scene(const PictureArguments& arguments) {
   return scene;
 }
 
+void require_element(const PictureArguments& arguments, const Scene& scene) {
+  const std::size_t count = scene.elements.size();
+  if (arguments.element && static_cast<std::size_t>(*arguments.element) >= count) {
+    throw Error({arguments.folder}, fmt::format("has no element {}", *arguments.element),
+                fmt::format("choose one of its {}, counted from 0", count));
+  }
+}
+
+/// The format that the name of a picture asks for.
+PictureFormat format_of(const fs::path& picture) {
+  for (const PictureFormat format : {PictureFormat::png, PictureFormat::exr}) {
+    if (picture.extension() == extension(format)) {
+      return format;
+    }
+  }
+  throw Error({picture}, "is not the name of a picture that can be written",
+              "let it end in .png or .exr");
+}
+
 void require_frames(const PictureArguments& arguments, const Scene& scene) {
   if (scene.turntable.frames == 0) {
     throw Error({arguments.folder}, "its scene asks for no turntable",
@@ -145,6 +164,11 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
 int run_still(const PictureArguments& arguments, const CommonArguments& common,
               Terminal& terminal) {
   const Scene scene = finished_scene(arguments);
+  require_element(arguments, scene);
+  PictureFormat format = scene.render.exr ? PictureFormat::exr : PictureFormat::png;
+  if (!arguments.output.empty()) {
+    format = format_of(arguments.output);
+  }
   const Renderer renderer(common, terminal);
   if (!arguments.output.empty() && scene.render.stills.size() > 1) {
     throw Error("-o names one picture and there are " + std::to_string(scene.render.stills.size()) +
@@ -156,10 +180,7 @@ int run_still(const PictureArguments& arguments, const CommonArguments& common,
     Shot shot = still_shot(scene, view);
     shot.stage = arguments.stage.value_or(1.0);
     shot.only_element = arguments.element;
-    shot.format =
-        arguments.output.extension() == ".exr" || (arguments.output.empty() && scene.render.exr)
-            ? PictureFormat::exr
-            : PictureFormat::png;
+    shot.format = format;
     paths.push_back(arguments.output.empty() ? still_path(arguments.folder, shot)
                                              : arguments.output);
     const PictureJob job{shot, paths.back()};

@@ -35,10 +35,12 @@ Solid::Solid(const Mesh& mesh, const dvec3& center, double radius)
       winding_number_(in_unit_frame(mesh, center, radius)),
       cells_(static_cast<std::size_t>(cells_per_side) * cells_per_side * cells_per_side) {
   classify({0, 0, 0, cells_per_side});
-  const double sampled = sampled_volume() * radius * radius * radius;
+  const Sample sampled = sampled_volume();
+  const double unit_volume = radius * radius * radius;
   const double enclosed = enclosed_volume(mesh);
-  const bool agree = std::abs(enclosed - sampled) <= 0.03 * sampled;
-  volume_ = agree ? enclosed : sampled;
+  const bool agree =
+      std::abs(enclosed - sampled.volume * unit_volume) <= 3.0 * sampled.deviation * unit_volume;
+  volume_ = agree ? enclosed : sampled.volume * unit_volume;
 }
 
 /// Decides a block as a whole where no surface is near and the winding number, which varies slowly
@@ -86,36 +88,43 @@ bool Solid::inside(const dvec3& unit_point) const {
   return state == Cell::mixed ? winding_number_.inside(unit_point) : state == Cell::inside;
 }
 
-double Solid::sampled_volume() const {
+Solid::Sample Solid::sampled_volume() const {
   double cells = 0.0;
+  double mixed = 0.0;
   for (int k = 0; k < cells_per_side; ++k) {
     for (int j = 0; j < cells_per_side; ++j) {
       for (int i = 0; i < cells_per_side; ++i) {
         const Cell state = cells_[cell_index(i, j, k)];
-        cells +=
-            state == Cell::mixed ? share_inside({i, j, k, 1}) : (state == Cell::inside ? 1.0 : 0.0);
+        if (state == Cell::mixed) {
+          cells += share_inside({i, j, k, 1});
+          mixed += 1.0;
+        } else {
+          cells += state == Cell::inside ? 1.0 : 0.0;
+        }
       }
     }
   }
   constexpr double cell_side = 2.0 / cells_per_side;
-  return cells * cell_side * cell_side * cell_side;
+  constexpr double cell_volume = cell_side * cell_side * cell_side;
+  // A share from n samples deviates by at most ½ / √n, and independent cells add in squares.
+  const double deviation = std::sqrt(mixed * 0.25 / samples_per_cell);
+  return {cells * cell_volume, deviation * cell_volume};
 }
 
 /// Share of a cell that lies inside, by one random point in each quarter (always the same ones).
 double Solid::share_inside(const CellBlock& cell) const {
-  constexpr int samples = 4;
   constexpr double cell_side = 2.0 / cells_per_side;
   Rng rng(0, cell_index(cell.i, cell.j, cell.k));
   int inside = 0;
-  for (int quarter = 0; quarter < samples; ++quarter) {
+  for (int quarter = 0; quarter < samples_per_cell; ++quarter) {
     dvec3 offset;
     for (int axis = 0; axis < 3; ++axis) {
       offset[axis] = rng.uniform() - 0.5;
     }
-    offset.x = (offset.x + 0.5 + quarter) / samples - 0.5;
+    offset.x = (offset.x + 0.5 + quarter) / samples_per_cell - 0.5;
     inside += winding_number_.inside(cell.center() + cell_side * offset) ? 1 : 0;
   }
-  return static_cast<double>(inside) / samples;
+  return static_cast<double>(inside) / samples_per_cell;
 }
 
 }  // namespace collage

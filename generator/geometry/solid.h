@@ -35,20 +35,26 @@ class Solid {
     return winding_number_.inside(unit_point);
   }
 
-  /// Volume of the solid in the mesh's units. Exact (divergence theorem) where that agrees
-  /// with a sample of it, as for closed meshes whose parts do not overlap, else the sample; either
-  /// way right to about 3 %.
+  /// Volume of the solid in the mesh's units: by the divergence theorem where that agrees with a
+  /// sample on the cells within its deviation, as for closed meshes whose parts do not overlap;
+  /// else the sample, right to about 0.3 %, for thin solids 1 %.
   [[nodiscard]] double volume() const { return volume_; }
 
  private:
   enum class Cell : std::uint8_t { outside, inside, mixed };
   /// Cells on a side of the cube round the unit ball; a power of two.
   static constexpr int cells_per_side = 64;
+  static constexpr int samples_per_cell = 4;
 
   struct CellBlock;
   void classify(const CellBlock& block);
   void fill(const CellBlock& block, Cell state);
-  [[nodiscard]] double sampled_volume() const;
+  /// A volume in the unit frame with its standard deviation.
+  struct Sample {
+    double volume;
+    double deviation;
+  };
+  [[nodiscard]] Sample sampled_volume() const;
   [[nodiscard]] double share_inside(const CellBlock& cell) const;
   [[nodiscard]] static std::size_t cell_index(int i, int j, int k) {
     return (static_cast<std::size_t>(k) * cells_per_side + j) * cells_per_side + i;

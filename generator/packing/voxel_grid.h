@@ -39,7 +39,8 @@ struct VoxelGrid {
   }
   /// Where in its block a voxel is stored; `local` counts from the block's first voxel.
   static std::size_t slot(const glm::ivec3& local) {
-    return static_cast<std::size_t>((local.z * block_side + local.y) * block_side + local.x);
+    const int index = (local.z * block_side + local.y) * block_side + local.x;
+    return static_cast<std::size_t>(index);
   }
   static glm::ivec3 local_at(std::size_t slot) {
     const int s = static_cast<int>(slot);

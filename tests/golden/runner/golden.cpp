@@ -1,13 +1,13 @@
 #include "golden/runner/golden.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <sstream>
 #include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -42,7 +42,6 @@ std::string update_command(const std::vector<GoldenRow>& rows) {
 /// A fresh copy of what the command reads.
 void copy_case(const GoldenCase& golden, const fs::path& folder) {
   fs::remove_all(folder);
-  fs::create_directories(folder);
   fs::copy(golden.folder, folder, fs::copy_options::recursive);
   for (const char* ours : {"command", "tolerance", "reference.png"}) {
     fs::remove(folder / ours);
@@ -91,7 +90,6 @@ std::vector<CommandResult> run_commands(const std::vector<GoldenCase>& cases, co
 /// Lays the picture that a command left over its reference. The reference is copied beside it, so
 /// that the output folder can be looked at elsewhere.
 GoldenRow judged(const GoldenCase& golden, const fs::path& folder, const CommandResult& result) {
-  const Thresholds thresholds = read_tolerance(golden.folder / "tolerance");
   GoldenRow row;
   row.name = golden.name;
   if (fs::exists(golden.folder / "reference.png")) {
@@ -114,7 +112,7 @@ GoldenRow judged(const GoldenCase& golden, const fs::path& folder, const Command
     return row;
   }
   try {
-    row.comparison = compare_pictures(row.reference, row.picture, thresholds);
+    row.comparison = compare_pictures(row.reference, row.picture, golden.thresholds);
     if (row.comparison->numbers) {
       write_difference(row.reference, row.picture, folder / "difference.png");
       row.difference = folder / "difference.png";
@@ -137,7 +135,7 @@ int rewrite_references(const std::vector<GoldenCase>& cases, const std::vector<G
       ++failures;
     } else {
       write_file(cases[i].folder / "reference.png", read_file(rows[i].picture));
-      say(fmt::format("{}: rewritten; {}", cases[i].name, reason(rows[i])));
+      say(fmt::format("{}: has a new reference; before: {}", cases[i].name, reason(rows[i])));
     }
   }
   return failures;
@@ -183,7 +181,7 @@ std::vector<GoldenCase> find_golden_cases(const fs::path& cases,
   std::vector<GoldenCase> found;
   for (const std::string& name : known) {
     if (names.empty() || std::ranges::find(names, name) != names.end()) {
-      found.push_back({name, cases / name});
+      found.push_back({name, cases / name, read_tolerance(cases / name / "tolerance")});
     }
   }
   if (found.empty()) {
@@ -229,6 +227,10 @@ int run_golden(const GoldenRun& run, CommandRunner& runner, Status& status,
                 "look at the report page and rewrite them by hand");
   }
   const std::vector<GoldenCase> cases = find_golden_cases(run.cases, run.names);
+  fs::create_directories(run.output);
+  if (fs::equivalent(run.output, run.cases)) {
+    throw Error({run.output}, "holds the cases themselves", "name another folder for the output");
+  }
   const std::vector<CommandResult> results = run_commands(cases, run, runner, status);
   std::vector<GoldenRow> rows;
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -13,13 +13,14 @@
 namespace collage {
 
 /// A golden picture. Its folder holds
-///   command        run by bash in a copy of the folder, leaves picture.png; `collage` is the program
-///   reference.png  what the picture must look like
-///   tolerance      where the default thresholds do not do; see read_tolerance()
+///   command        run by bash in a copy of the folder, leaves picture.png; `collage` is the
+///   program reference.png  what the picture must look like tolerance      where the default
+///   thresholds do not do; see read_tolerance()
 /// and whatever else the command reads.
 struct GoldenCase {
   std::string name;
   std::filesystem::path folder;
+  Thresholds thresholds;
 };
 
 /// Those of the given names among the folders of `cases` that hold a command, all where none is
@@ -44,11 +45,11 @@ struct GoldenRun {
   Update update = Update::no;
 };
 
-/// Makes the pictures, as many at once as there are processors, and lays them over their references.
-/// Says by lines what fails, where it is kept, and how the references are rewritten. With
-/// Update::yes the references of those that fail are rewritten, but never where the environment has
-/// CI set. Returns an exit code: 0 where all pass or were rewritten, 1 where not. Throws Error for
-/// bad input and Interrupted.
+/// Makes the pictures, as many at once as there are processors, and lays them over their
+/// references. Says by lines what fails, where it is kept, and how the references are rewritten.
+/// With Update::yes the references of those that fail are rewritten, but never where the
+/// environment has CI set. Returns an exit code: 0 where all pass or were rewritten, 1 where not.
+/// Throws Error for bad input and Interrupted.
 int run_golden(const GoldenRun& run, CommandRunner& runner, Status& status,
                const std::function<void(std::string_view)>& say);
 

@@ -1,8 +1,8 @@
 // golden_pictures [--update] PROGRAM CASES OUTPUT [NAME...]: see golden.h and `./run golden`.
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "cli/stop_signals.h"
@@ -31,13 +31,11 @@ int run(std::vector<std::string> arguments) {
 
   using collage::TerminalStyle;
   const collage::StopSignals signals;
-  collage::Terminal terminal(
-      collage::standard_error_style(TerminalStyle::Verbosity::normal),
-      collage::standard_error_console());
+  collage::Terminal terminal(collage::standard_error_style(TerminalStyle::Verbosity::normal),
+                             collage::standard_error_console());
   collage::SystemRunner runner;
-  return collage::run_golden(golden, runner, terminal, [](std::string_view line) {
-    fmt::print("{}\n", line);
-  });
+  return collage::run_golden(golden, runner, terminal,
+                             [](std::string_view line) { fmt::print("{}\n", line); });
 }
 
 }  // namespace

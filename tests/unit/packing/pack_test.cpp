@@ -156,6 +156,16 @@ TEST(Pack, FixedScalingUsesTheListedScalesOnly) {
   EXPECT_LT(result.packing.largest_hole, 0.1 * result.elements[0].size());
 }
 
+/// The thesis's approximation (V.3): a large face is farther away than it should be.
+TEST(Pack, DistancesToVerticesAloneLetMoreIn) {
+  Case setup = to_hole(0.06);
+  setup.element_meshes = {test::box_mesh(dvec3(-1), dvec3(1))};
+  const Result exact = run(setup);
+  setup.options.distance = Distance::vertices;
+  const Result approximate = run(setup);
+  EXPECT_GT(approximate.packing.instances.size(), exact.packing.instances.size());
+}
+
 TEST(Pack, ElementsTooLargeForTheTargetGiveAnEmptyPacking) {
   Case setup;
   setup.scales = {10.0};
