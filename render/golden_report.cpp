@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
+#include "base/text.h"
 
 namespace collage {
 namespace {
@@ -29,11 +30,13 @@ h1 { font-weight: 600; font-size: 1.5rem; margin: 0; }
 h2 { font-weight: 600; font-size: 1.05rem; margin: 0; }
 section { border-top: 1px solid var(--line); padding: 1.25rem 0 1.5rem; }
 .row { display: grid; grid-template-columns: repeat(3, 1fr); gap: 1rem; margin-top: .75rem; }
+.passed .row { grid-template-columns: repeat(3, minmax(0, 12rem)); }
 figure { margin: 0; }
 img { width: 100%; height: auto; display: block; image-rendering: pixelated; }
+.none { aspect-ratio: 4 / 3; display: grid; place-items: center; border: 1px dashed var(--line); color: var(--quiet); box-sizing: border-box; }
 figcaption, .quiet { color: var(--quiet); font-size: .85rem; }
-.differs { color: var(--bad); }
-.passes { color: var(--good); }
+h2 span { color: var(--bad); font-weight: 400; margin-left: .35em; }
+.passed h2 span { color: var(--good); }
 code { background: color-mix(in srgb, var(--quiet) 15%, transparent); padding: .15em .4em; border-radius: 4px; }
 </style>
 </head>
@@ -81,7 +84,8 @@ bool passes(const GoldenRow& row) {
 
 std::string figure(std::string_view caption, const fs::path& picture, const fs::path& page) {
   if (picture.empty()) {
-    return fmt::format("<figure><figcaption>{}: none</figcaption></figure>\n", caption);
+    return fmt::format(
+        "<figure><div class=\"none\">none</div><figcaption>{}</figcaption></figure>\n", caption);
   }
   const std::string url = link(picture, page);
   return fmt::format(
@@ -96,15 +100,17 @@ std::string numbers_text(const Comparison::Numbers& numbers) {
   return fmt::format(
       "mean error {:.3g} · maximum {:.3g} at {}, {} · PSNR {} · {} of {} pixels fail",
       numbers.mean_error, numbers.max_error, numbers.max_x, numbers.max_y, psnr,
-      numbers.failing_pixels, numbers.pixels);
+      grouped(static_cast<std::uint64_t>(numbers.failing_pixels)),
+      grouped(static_cast<std::uint64_t>(numbers.pixels)));
 }
 
 std::string section(const GoldenRow& row, const fs::path& page) {
   const std::string& reason = row.comparison ? row.comparison->reason : row.problem;
-  std::string text = fmt::format(
-      "<section>\n<h2>{} <span class=\"{}\">{}</span></h2>\n<div>{}</div>\n", escaped(row.name),
-      passes(row) ? "passes" : "differs", passes(row) ? "passes" : "fails", escaped(reason));
-  if (row.comparison && row.comparison->numbers) {
+  std::string text =
+      fmt::format("<section class=\"{}\">\n<h2>{} <span>{}</span></h2>\n<div>{}</div>\n",
+                  passes(row) ? "passed" : "failed", escaped(row.name),
+                  passes(row) ? "passes" : "fails", escaped(reason));
+  if (row.comparison && row.comparison->numbers && row.comparison->verdict != Verdict::same) {
     text += fmt::format("<div class=\"quiet\">{}</div>\n", numbers_text(*row.comparison->numbers));
   }
   return text + "<div class=\"row\">\n" + figure("reference", row.reference, page) +
@@ -121,12 +127,15 @@ void write_golden_report(const std::vector<GoldenRow>& rows, const std::string& 
                         [](const GoldenRow& row) { return !passes(row); });
   const auto failures = std::ranges::count_if(rows, [](const auto& row) { return !passes(row); });
   std::string page(head);
-  page += fmt::format("<h1>Golden pictures</h1>\n<p>{} of {} pass. ",
+  page += fmt::format("<h1>Golden pictures</h1>\n<p>{} of {} pass.",
                       static_cast<std::ptrdiff_t>(rows.size()) - failures, rows.size());
-  page += fmt::format(
-      "Look at the new pictures; if they are right, make them the references with "
-      "<code>{}</code></p>\n",
-      escaped(update_command));
+  if (failures > 0) {
+    page += fmt::format(
+        " Look at the new pictures; if they are right, make them the references with "
+        "<code>{}</code>",
+        escaped(update_command));
+  }
+  page += "</p>\n";
   for (const GoldenRow& row : sorted) {
     page += section(row, output);
   }

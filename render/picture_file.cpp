@@ -87,6 +87,10 @@ Picture read_picture(const fs::path& path) {
 }
 
 void write_picture(const fs::path& path, const Picture& picture) {
+  if (path.extension() != extension(picture.format)) {
+    throw Error({path}, "is not the name of such a picture",
+                "let it end in " + extension(picture.format));
+  }
   const std::string bytes = encoded(path, picture);
   const Scratch scratch(path.has_parent_path() ? path.parent_path() : fs::path("."));
   write_file(scratch.path(".part"), bytes);

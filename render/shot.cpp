@@ -157,7 +157,7 @@ std::vector<std::string> povray_options(const Shot& shot) {
       options.insert(options.end(), {"+A0.2", "+AM2", "+R2"});
       break;
     case Quality::fine:
-      options.insert(options.end(), {"+A0.1", "+AM2", "+R3"});
+      options.insert(options.end(), {"+A0.15", "+AM2", "+R2"});
       break;
   }
   return options;

@@ -39,7 +39,8 @@ class Interrupted : public std::runtime_error {
 template <class Range>
 std::string did_you_mean(const std::string& word, const Range& candidates);
 
-/// Levenshtein distance in characters. Cost: O(|a| |b|).
+/// Characters to insert, remove, replace or swap with their neighbour to make `b` of `a`
+/// (Levenshtein with transpositions, each character touched once). Cost: O(|a| |b|).
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 template <class Range>

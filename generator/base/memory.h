@@ -6,8 +6,8 @@
 
 namespace collage {
 
-/// Memory that can be had without swapping, in bytes; a generous guess where the system does not
-/// say.
+/// Memory that can be had without swapping, in bytes, within the limits set for this process
+/// (`ulimit -v`) and its container; a generous guess where the system does not say.
 std::uint64_t available_memory();
 
 /// Throws Error where `bytes` for `what` are over 80 % of the available memory; the remedy names

@@ -75,7 +75,7 @@ CommandLine::CommandLine() {
   still->add_option("--stage", picture_.stage, "Share of the instances shown")
       ->check(CLI::Range(0.0001, 1.0));
   still->add_option("--element", picture_.element, "Show the element of this number alone, from 0")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 9999));
   still->add_option("-o,--output", picture_.output, "The picture, .png or .exr");
   add_picture_command("turntable", "Render a turntable of a finished folder", run_turntable);
   add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
@@ -166,17 +166,20 @@ void CommandLine::add_compare() {
   command->add_option("picture", compare_.picture)->required();
   command->add_option("--difference", compare_.difference, "Write an amplified difference picture");
   command->add_option("--amplify", compare_.amplification)
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.01, 10000.0))
       ->capture_default_str();
   command
       ->add_option("--fail", compare_.thresholds.fail,
                    "A pixel fails where a channel, 0 to 1, differs by more")
+      ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
       ->add_option("--failing-share", compare_.thresholds.failing_share,
                    "This share of the pixels may fail")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--hard-fail", compare_.thresholds.hard_fail, "No pixel may differ by more")
+      ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   add_json(command);
   command->callback(
@@ -197,6 +200,14 @@ void CommandLine::add_export() {
 }
 
 void CommandLine::add_small_commands() {
+  CLI::App* audit = add("audit", "Prove of a finished folder that nothing overlaps or sticks out");
+  audit->add_option("folder", picture_.folder, "A folder that make or pack has written")
+      ->required();
+  add_common(audit);
+  add_json(audit);
+  audit->callback(
+      [this] { run_ = [this](Terminal& t) { return run_audit(picture_.folder, common_, t); }; });
+
   CLI::App* check = add("check", "Say what there is to know of meshes");
   check->add_option("meshes", meshes_, "OBJ files")->required();
   check->callback([this] { run_ = [this](Terminal& t) { return run_check(meshes_, t); }; });

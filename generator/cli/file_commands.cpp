@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/data_folder.h"
+#include "cli/finished_folder.h"
 #include "cli/version.h"
 #include "geometry/distance_grid.h"
 #include "geometry/mesh_check.h"
@@ -15,7 +16,6 @@
 #include "render/contact_sheet.h"
 #include "scene/obj_exporter.h"
 #include "scene/options_reference.h"
-#include "scene/sculpture_file.h"
 
 namespace collage {
 namespace {
@@ -26,18 +26,14 @@ constexpr int answer_no = 1;
 
 /// Reads the meshes of a finished folder and writes all instances as one OBJ.
 void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& terminal) {
-  const Sculpture sculpture = read_sculpture(folder / "sculpture.json");
-  std::vector<MeshFile> files;
-  for (const Sculpture::Element& element : sculpture.elements) {
-    files.push_back(read_obj(folder / element.path, terminal));
-    orient(files.back().mesh);
-  }
+  const FinishedFolder finished = read_finished_folder(folder, terminal);
+  const Sculpture& sculpture = finished.sculpture;
   Composition composition;
   composition.name = sculpture.options.name;
   composition.made_by = std::string("collage ") + version;
-  for (std::size_t e = 0; e < files.size(); ++e) {
+  for (std::size_t e = 0; e < finished.elements.size(); ++e) {
     composition.elements.push_back(
-        {sculpture.elements[e].name, files[e].mesh, sculpture.options.elements[e].color});
+        {sculpture.elements[e].name, finished.elements[e], sculpture.options.elements[e].color});
   }
   composition.instances = sculpture.instances;
   export_obj(obj, composition, terminal);
@@ -92,6 +88,9 @@ std::string comparison_text(const Comparison& comparison) {
 }  // namespace
 
 int run_sheet(const SheetArguments& arguments) {
+  if (arguments.captions.size() > arguments.pictures.size()) {
+    throw Error("there are more captions than pictures", "give one --caption a picture, or fewer");
+  }
   std::vector<SheetPicture> pictures;
   for (std::size_t i = 0; i < arguments.pictures.size(); ++i) {
     const fs::path& path = arguments.pictures[i];
@@ -110,7 +109,8 @@ int run_sheet(const SheetArguments& arguments) {
 int run_compare(const CompareArguments& arguments, const CommonArguments& common) {
   const Comparison comparison =
       compare_pictures(arguments.reference, arguments.picture, arguments.thresholds);
-  if (!arguments.difference.empty()) {
+  const bool can_be_laid_over = comparison.numbers.has_value();
+  if (!arguments.difference.empty() && can_be_laid_over) {
     write_difference(arguments.reference, arguments.picture, arguments.difference,
                      arguments.amplification);
   }

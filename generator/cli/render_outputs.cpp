@@ -1,6 +1,7 @@
 #include "cli/render_outputs.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -88,6 +89,16 @@ fs::path render_stage_sheet(const RenderTools& tools, const fs::path& folder, co
   return sheet;
 }
 
+std::vector<fs::path> films(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (const char* film : {"turntable.mp4", "turntable.gif"}) {
+    if (fs::exists(folder / "turntable" / film)) {
+      paths.push_back(folder / "turntable" / film);
+    }
+  }
+  return paths;
+}
+
 fs::path write_turntable_sheet(const fs::path& folder, const Scene& scene) {
   std::vector<SheetPicture> pictures;
   const auto frames = turntable_frames(folder, scene.turntable.frames);
@@ -110,11 +121,7 @@ std::vector<fs::path> render_outputs(const RenderTools& tools, const fs::path& f
   }
   if (scene.turntable.frames > 0) {
     render_turntable(tools, folder, turntable_of(scene));
-    for (const char* film : {"turntable.mp4", "turntable.gif"}) {
-      if (fs::exists(folder / "turntable" / film)) {
-        paths.push_back(folder / "turntable" / film);
-      }
-    }
+    std::ranges::copy(films(folder), std::back_inserter(paths));
     paths.push_back(write_turntable_sheet(folder, scene));
   }
   return paths;

@@ -28,6 +28,9 @@ std::vector<std::filesystem::path> render_stills(const RenderTools& tools,
 std::filesystem::path render_stage_sheet(const RenderTools& tools,
                                          const std::filesystem::path& folder, const Scene& scene);
 
+/// The films of a turntable that are there.
+std::vector<std::filesystem::path> films(const std::filesystem::path& folder);
+
 /// Lays the turntable's frames out on sheets/turntable.png.
 std::filesystem::path write_turntable_sheet(const std::filesystem::path& folder,
                                             const Scene& scene);

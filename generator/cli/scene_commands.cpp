@@ -6,19 +6,23 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/stage.h"
 #include "base/stopwatch.h"
+#include "cli/audit_folder.h"
 #include "cli/commands.h"
 #include "cli/data_folder.h"
+#include "cli/finished_folder.h"
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
 #include "scene/scene_file.h"
-#include "scene/sculpture_file.h"
 #include "scene/set_option.h"
 
 namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int answer_no = 1;
 
 int thread_count(const CommonArguments& common) {
   const auto machine = static_cast<int>(std::thread::hardware_concurrency());
@@ -79,6 +83,13 @@ void print_paths(const CommonArguments& common, const std::vector<fs::path>& pat
   }
 }
 
+FolderAudit audited(const fs::path& folder, Terminal& terminal) {
+  const Stage stage(terminal, "auditing");
+  const FolderAudit result = audit_folder(folder, terminal);
+  write_file(folder / "audit.json", audit_json(result));
+  return result;
+}
+
 /// POV-Ray and what else rendering takes, set up once for a command.
 struct Renderer {
   SystemRunner runner;
@@ -92,11 +103,7 @@ struct Renderer {
 
 /// The options of a finished folder, with what the command line says about pictures.
 Scene finished_scene(const PictureArguments& arguments) {
-  if (!fs::exists(arguments.folder / "sculpture.json")) {
-    throw Error({arguments.folder}, "holds no sculpture.json",
-                "name a folder that `collage pack` or `collage make` has written");
-  }
-  Scene scene = read_sculpture(arguments.folder / "sculpture.json").options;
+  Scene scene = read_finished_sculpture(arguments.folder).options;
   for (const std::string& setting : arguments.settings) {
     set_option(scene, setting);
   }
@@ -145,6 +152,16 @@ int run_pack(const SceneArguments& arguments, const CommonArguments& common, Ter
   return 0;
 }
 
+int run_audit(const fs::path& folder, const CommonArguments& common, Terminal& terminal) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(common)));
+  const FolderAudit result = audited(folder, terminal);
+  const std::string text =
+      common.output == CommonArguments::Output::json ? audit_json(result) : audit_text(result);
+  std::fputs(text.c_str(), stdout);
+  return result.passed() ? 0 : answer_no;
+}
+
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(common)));
@@ -152,6 +169,11 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
   Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const FolderAudit audit = audited(folder, terminal);
+  if (!audit.passed()) {
+    std::fputs(audit_text(audit).c_str(), stdout);
+    return answer_no;
+  }
   const Stopwatch rendering;
   const std::vector<fs::path> pictures = render_outputs(renderer.tools, folder, scene);
   report.seconds.render = rendering.seconds();
@@ -197,8 +219,9 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
   require_frames(arguments, scene);
   const Renderer renderer(common, terminal);
   render_turntable(renderer.tools, arguments.folder, turntable_of(scene));
-  print_paths(common, {arguments.folder / "turntable" / "turntable.gif",
-                       write_turntable_sheet(arguments.folder, scene)});
+  std::vector<fs::path> paths = films(arguments.folder);
+  paths.push_back(write_turntable_sheet(arguments.folder, scene));
+  print_paths(common, paths);
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "geometry/distance_grid.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/memory.h"
 #include "base/text.h"
 
 namespace collage {
@@ -143,6 +145,9 @@ DistanceGrid read_distance_grid(const std::filesystem::path& path) {
       value = -value;
     }
   }
+  if (std::ranges::none_of(grid.values, [](float value) { return value < 0.0F; })) {
+    throw Error({path}, "no voxel lies inside the surface", "use smaller voxels");
+  }
   return grid;
 }
 
@@ -181,7 +186,9 @@ DistanceGrid sample_distance_grid(const Solid& solid, const Box& box, int resolu
   grid.voxel_side = box.longest_side() / resolution;
   grid.size = glm::ivec3(glm::ceil(box.extent() / grid.voxel_side - 1e-9)) + 2;
   grid.origin = box.center() - 0.5 * grid.voxel_side * dvec3(grid.size);
-  grid.values.resize(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z);
+  const std::size_t count = static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z;
+  require_memory(count * sizeof(float), "the grid", "--resolution");
+  grid.values.resize(count);
   tbb::parallel_for(0, grid.size.z, [&](int z) {
     glm::ivec3 v(0, 0, z);
     float* value = &grid.values[static_cast<std::size_t>(z) * grid.size.y * grid.size.x];

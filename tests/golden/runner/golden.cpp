@@ -224,7 +224,7 @@ int run_golden(const GoldenRun& run, CommandRunner& runner, Status& status,
                const std::function<void(std::string_view)>& say) {
   if (run.update == GoldenRun::Update::yes && !environment("CI").empty()) {
     throw Error("references are not rewritten in continuous integration",
-                "look at the report page and rewrite them by hand");
+                "rewrite them where somebody can look at them");
   }
   const std::vector<GoldenCase> cases = find_golden_cases(run.cases, run.names);
   fs::create_directories(run.output);

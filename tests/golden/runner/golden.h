@@ -13,10 +13,11 @@
 namespace collage {
 
 /// A golden picture. Its folder holds
-///   command        run by bash in a copy of the folder, leaves picture.png; `collage` is the
-///   program reference.png  what the picture must look like tolerance      where the default
-///   thresholds do not do; see read_tolerance()
-/// and whatever else the command reads.
+/// - command: run by bash in a copy of the folder, leaves picture.png; `collage` is the program. It
+///   renders with one thread, as two may give a pixel another level;
+/// - reference.png: what the picture must look like;
+/// - tolerance: where the default thresholds do not do, see read_tolerance();
+/// - whatever else the command reads.
 struct GoldenCase {
   std::string name;
   std::filesystem::path folder;

@@ -28,6 +28,8 @@ TEST(EditDistance, CountsChanges) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
   EXPECT_EQ(edit_distance("abc", ""), 3U);
   EXPECT_EQ(edit_distance("", "abc"), 3U);
+  EXPECT_EQ(edit_distance("pakc", "pack"), 1U);
+  EXPECT_EQ(edit_distance("ab", "bca"), 3U);
 }
 
 TEST(DidYouMean, NamesTheNearestOrNothing) {

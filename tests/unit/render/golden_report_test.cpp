@@ -47,6 +47,14 @@ TEST(GoldenReport, escapes_text_and_prints_the_update_command) {
   EXPECT_THAT(page, Not(HasSubstr("<b>")));
 }
 
+TEST(GoldenReport, has_nothing_to_update_where_all_pass) {
+  const TestFolder folder;
+  const std::string page =
+      report(folder, {{.name = "studio", .comparison = comparison(Verdict::within_tolerance)}});
+  EXPECT_THAT(page, HasSubstr("1 of 1 pass."));
+  EXPECT_THAT(page, Not(HasSubstr("--update")));
+}
+
 TEST(GoldenReport, failures_come_first) {
   const TestFolder folder;
   const std::string page =

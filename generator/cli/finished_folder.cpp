@@ -1,0 +1,51 @@
+#include "cli/finished_folder.h"
+
+#include "base/error.h"
+#include "base/file.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_file.h"
+#include "scene/sculpture_file.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+
+Mesh read_input(const fs::path& folder, const Sculpture::Input& input) {
+  const fs::path path = folder / input.path;
+  if (sha256(read_file(path)) != input.sha256) {
+    throw Error({path}, "is not the file that the sculpture was made from",
+                "put the original back, or pack the scene again");
+  }
+  Status silent;  // what there was to say of the mesh was said when it was packed
+  Mesh mesh = read_obj(path, silent).mesh;
+  orient(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+Sculpture read_finished_sculpture(const fs::path& folder) {
+  if (!fs::exists(folder / "sculpture.json")) {
+    throw Error({folder}, "holds no sculpture.json",
+                "name a folder that `collage pack` or `collage make` has written");
+  }
+  return read_sculpture(folder / "sculpture.json");
+}
+
+FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
+  FinishedFolder finished;
+  finished.sculpture = read_finished_sculpture(folder);
+  for (const Sculpture::Element& element : finished.sculpture.elements) {
+    if (status.stop_requested()) {
+      throw Interrupted();
+    }
+    finished.elements.push_back(read_input(folder, element));
+  }
+  if (finished.sculpture.options.target.sdf.empty()) {
+    finished.target = read_input(folder, finished.sculpture.target);
+  }
+  return finished;
+}
+
+}  // namespace collage
