@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -34,7 +35,8 @@ MeshFile read_mesh(const fs::path& path, Status& status) {
   return file;
 }
 
-/// All that is read before anything is placed. Elements refer to the meshes: it stays in its place.
+/// All that is read before anything is placed. Ingredients refer to the elements, and elements to
+/// nothing: it stays in its place.
 struct Workshop {
   Workshop(const Scene& scene, Status& status);
   Workshop(const Workshop&) = delete;
@@ -44,31 +46,41 @@ struct Workshop {
   Mesh target_mesh;
   std::unique_ptr<Target> target;
   std::vector<MeshFile> element_files;
-  std::vector<Element> elements;
+  std::vector<std::unique_ptr<Element>> elements;
   std::vector<Ingredient> ingredients;
+
+ private:
+  void read_target(const Scene::Target& wanted, Status& status);
 };
 
-Workshop::Workshop(const Scene& scene, Status& status) {
-  const double steps = static_cast<double>(scene.elements.size()) + 1.0;
-  if (scene.target.sdf.empty()) {
-    MeshFile file = read_mesh(scene.target.mesh, status);
+void Workshop::read_target(const Scene::Target& wanted, Status& status) {
+  if (wanted.sdf.empty()) {
+    MeshFile file = read_mesh(wanted.mesh, status);
     target_files = file.files;
     target_mesh = std::move(file.mesh);
     target = std::make_unique<MeshTarget>(target_mesh);
   } else {
-    target_files = {scene.target.sdf};
-    target = std::make_unique<GridTarget>(read_distance_grid(scene.target.sdf));
+    target_files = {wanted.sdf};
+    target = std::make_unique<GridTarget>(read_distance_grid(wanted.sdf));
   }
-  elements.reserve(scene.elements.size());  // ingredients refer to them
+}
+
+Workshop::Workshop(const Scene& scene, Status& status) {
+  const std::size_t count = scene.elements.size();
   for (const Scene::Element& wanted : scene.elements) {
-    status.update(static_cast<double>(elements.size() + 1) / steps,
-                  wanted.mesh.filename().string());
+    status.update(0.0, wanted.mesh.filename().string());
     if (status.stop_requested()) {
       throw Interrupted();
     }
     element_files.push_back(read_mesh(wanted.mesh, status));
-    elements.emplace_back(element_files.back().mesh, scene.packing.distance);
-    ingredients.push_back({elements.back(), wanted.scales, wanted.weight});
+  }
+  read_target(scene.target, status);
+  elements.resize(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t e) {
+    elements[e] = std::make_unique<Element>(element_files[e].mesh, scene.packing.distance);
+  });
+  for (std::size_t e = 0; e < count; ++e) {
+    ingredients.push_back({*elements[e], scene.elements[e].scales, scene.elements[e].weight});
   }
 }
 
@@ -104,7 +116,7 @@ Sculpture describe(const Scene& scene, const std::string& command, const Worksho
     static_cast<Sculpture::Input&>(element) = copy_inputs(workshop.element_files[e].files, folder,
                                                           "element-" + std::to_string(e), status);
     element.name = scene.elements[e].mesh.stem().string();
-    element.size = workshop.elements[e].size();
+    element.size = workshop.elements[e]->size();
     sculpture.elements.push_back(element);
   }
   return sculpture;
@@ -152,8 +164,8 @@ Report summarise(const Scene& scene, const Workshop& workshop, const Packing& pa
     const auto count =
         std::count_if(packing.instances.begin(), packing.instances.end(),
                       [e](const Instance& instance) { return instance.element == e; });
-    report.elements.push_back({scene.elements[e].mesh.stem().string(), workshop.elements[e].faces(),
-                               static_cast<std::uint64_t>(count)});
+    report.elements.push_back({scene.elements[e].mesh.stem().string(),
+                               workshop.elements[e]->faces(), static_cast<std::uint64_t>(count)});
   }
   report.seconds.place = packing.place_seconds;
   report.seconds.update = packing.update_seconds;

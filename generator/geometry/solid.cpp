@@ -111,17 +111,17 @@ Solid::Sample Solid::sampled_volume() const {
   return {cells * cell_volume, deviation * cell_volume};
 }
 
-/// Share of a cell that lies inside, by one random point in each quarter (always the same ones).
+/// Share of a cell that lies inside, by one random point in each half (always the same ones).
 double Solid::share_inside(const CellBlock& cell) const {
   constexpr double cell_side = 2.0 / cells_per_side;
   Rng rng(0, cell_index(cell.i, cell.j, cell.k));
   int inside = 0;
-  for (int quarter = 0; quarter < samples_per_cell; ++quarter) {
+  for (int half = 0; half < samples_per_cell; ++half) {
     dvec3 offset;
     for (int axis = 0; axis < 3; ++axis) {
       offset[axis] = rng.uniform() - 0.5;
     }
-    offset.x = (offset.x + 0.5 + quarter) / samples_per_cell - 0.5;
+    offset.x = (offset.x + 0.5 + half) / samples_per_cell - 0.5;
     inside += winding_number_.inside(cell.center() + cell_side * offset) ? 1 : 0;
   }
   return static_cast<double>(inside) / samples_per_cell;
