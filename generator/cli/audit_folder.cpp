@@ -81,7 +81,8 @@ bool same_placement(const PovInstance& pov, const Instance& instance) {
       wanted = instance.rotation * axis;
     }
     for (int row = 0; row < 3; ++row) {
-      const double got = pov.matrix[static_cast<std::size_t>(3 * column + row)];
+      const int at = 3 * column + row;
+      const double got = pov.matrix[static_cast<std::size_t>(at)];
       const double size = instance.scale + (column == 3 ? glm::length(translation) : 0.0);
       if (!(std::abs(got - wanted[row]) <= 1e-12 * size)) {
         return false;
