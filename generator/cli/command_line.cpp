@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -28,7 +29,8 @@ class CommandLine {
   /// Nothing to be run: the exit code of --help, --version or a mistake, which has been printed.
   std::optional<int> parse(int argc, char** argv);
   [[nodiscard]] TerminalStyle::Verbosity verbosity() const { return common_.verbosity; }
-  int run(Terminal& terminal) { return run_(terminal); }
+  /// The exit code. Throws where the command did not come to its end.
+  int run(Terminal& terminal) const;
 
  private:
   CLI::App* add(const char* name, const char* help);
@@ -256,6 +258,16 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", complaint(error, argc, argv));
     return bad_input;
   }
+}
+
+int CommandLine::run(Terminal& terminal) const {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(thread_count(common_)));
+  const int code = run_(terminal);
+  if (std::fflush(stdout) != 0) {
+    throw Error("the result cannot be written to standard output", "check where it goes");
+  }
+  return code;
 }
 
 }  // namespace

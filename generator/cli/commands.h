@@ -22,6 +22,9 @@ struct CommonArguments {
   int threads = 0;
 };
 
+/// Those asked for, else as many as the machine has.
+int thread_count(const CommonArguments& common);
+
 /// `make` and `pack`.
 struct SceneArguments {
   std::string scene;

@@ -2,7 +2,6 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -23,11 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int answer_no = 1;
-
-int thread_count(const CommonArguments& common) {
-  const auto machine = static_cast<int>(std::thread::hardware_concurrency());
-  return common.threads > 0 ? common.threads : std::max(1, machine);
-}
 
 /// A scene of the user's, else one of those that come with the program: "scenes/teapot", "teapot".
 fs::path find_scene(const std::string& name) {
@@ -141,9 +135,12 @@ void require_frames(const PictureArguments& arguments, const Scene& scene) {
 
 }  // namespace
 
+int thread_count(const CommonArguments& common) {
+  const auto machine = static_cast<int>(std::thread::hardware_concurrency());
+  return common.threads > 0 ? common.threads : std::max(1, machine);
+}
+
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(thread_count(common)));
   const Scene scene = read_scene_with(arguments);
   const fs::path folder = output_folder(arguments, scene);
   const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
@@ -153,8 +150,6 @@ int run_pack(const SceneArguments& arguments, const CommonArguments& common, Ter
 }
 
 int run_audit(const fs::path& folder, const CommonArguments& common, Terminal& terminal) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(thread_count(common)));
   const FolderAudit result = audited(folder, terminal);
   const std::string text =
       common.output == CommonArguments::Output::json ? audit_json(result) : audit_text(result);
@@ -163,8 +158,6 @@ int run_audit(const fs::path& folder, const CommonArguments& common, Terminal& t
 }
 
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(thread_count(common)));
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);

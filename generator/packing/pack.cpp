@@ -1,10 +1,10 @@
 #include "packing/pack.h"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
-#include <limits>
 
 #include "base/error.h"
 #include "base/stopwatch.h"

@@ -40,9 +40,10 @@ struct Packing {
 };
 
 /// Fills the field with elements, biggest first (Muhm 2011, Fig. 9), until the largest hole is
-/// smaller than the threshold or than every element. `longest_side` is the target's: the unit of
-/// the lengths in `options`. Uses the field up.
-/// Throws Interrupted where the user stops it.
+/// smaller than the threshold or than every element. The field, which must be fresh from the
+/// target, is left with the clearances between the instances. Throws Interrupted where the user
+/// stops it. Cost: a small multiple of the number of voxels, however many elements, times a query
+/// each.
 Packing pack(const Target& target, ClearanceField& field, std::span<const Ingredient> ingredients,
              const PackingOptions& options, Status& status);
 

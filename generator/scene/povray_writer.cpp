@@ -54,9 +54,7 @@ std::string bounds(const Composition& composition) {
          declared("Target_Min", pov_vector(composition.target_box.min)) +
          declared("Target_Max", pov_vector(composition.target_box.max)) +
          declared("Has_Target", composition.target != nullptr ? "1" : "0") +
-         declared("Element_Count", std::to_string(composition.elements.size())) +
-         "\n#include \"collage.inc\"  // framing, camera, materials\n"
-         "#include Template       // light, floor, finish\n\n";
+         declared("Element_Count", std::to_string(composition.elements.size())) + "\n";
 }
 
 /// One run of the writer.
@@ -68,11 +66,14 @@ class Writer {
   void write(const std::string& template_name) {
     file_.append(header(composition_, template_name));
     file_.append(bounds(composition_));
+    append_target();
+    file_.append(
+        "#include \"collage.inc\"  // framing, camera, materials\n"
+        "#include Template       // light, floor, finish\n\n");
     for (std::size_t k = 0; k < composition_.elements.size(); ++k) {
       append_element(k);
     }
     append_union();
-    append_target();
     file_.commit();
   }
 
@@ -144,15 +145,13 @@ class Writer {
     file_.append(line_);
   }
 
+  /// Before the templates, which may show it and let it cast a shadow.
   void append_target() {
-    if (composition_.target == nullptr) {
-      return;
+    if (composition_.target != nullptr) {
+      file_.append("// The target's mesh.\n");
+      append_mesh2(file_, "Target", *composition_.target, {});
+      file_.append("\n");
     }
-    file_.append("\n#if (Show_Target)\n");
-    append_mesh2(file_, "Target", *composition_.target, {});
-    file_.append(
-        "object { Target material { Target_Material } transform { Place_Sculpture } }\n"
-        "#end\n");
   }
 
   const Composition& composition_;

@@ -14,9 +14,10 @@ namespace collage {
 /// element or a stage of the assembly. The folder must get collage.inc and `template_name`.inc as
 /// well.
 ///
-/// collage.inc provides the macros Material, Image_Material and Shows_Element and the interior
-/// Element_Interior; it and the template declare the transform Place_Sculpture, Show_Target and the
-/// material Target_Material. See templates/collage.inc.
+/// The target's mesh is declared as Target ahead of the templates, for those that show it. For the
+/// rest, collage.inc provides the macros Material, Image_Material and Shows_Element and the
+/// interior Element_Interior, and the template the transform Place_Sculpture. See
+/// templates/collage.inc.
 ///
 /// Nothing from a mesh or scene file reaches POV-Ray but numbers and names reduced to letters and
 /// digits in comments. Throws Error where a file cannot be written. Cost: about a microsecond an

@@ -43,6 +43,21 @@ TEST_F(FileTest, ReadsBackWhatItWrote) {
   EXPECT_EQ(read_file(folder_ / "new" / "deep" / "file"), "");
 }
 
+TEST_F(FileTest, LeavesNoFolderBehindWhereNothingIsWritten) {
+  { const FileWriter writer(folder_ / "new" / "deep" / "file"); }
+  EXPECT_EQ(file_count(), 0U);
+  fs::create_directories(folder_ / "there");
+  { const FileWriter writer(folder_ / "there" / "deep" / "file"); }
+  EXPECT_TRUE(fs::is_directory(folder_ / "there"));
+  EXPECT_FALSE(fs::exists(folder_ / "there" / "deep"));
+  {
+    const FileWriter writer(folder_ / "new" / "deep" / "file");
+    write_file(folder_ / "new" / "other", "of use");
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "new" / "other"));
+  EXPECT_FALSE(fs::exists(folder_ / "new" / "deep"));
+}
+
 TEST_F(FileTest, AppearsWholeOrNotAtAll) {
   write_file(folder_ / "file", "old");
   {

@@ -32,10 +32,6 @@ constexpr const char* flat_macros = R"(
 #end
 #declare Element_Interior = interior { ior 1.45 };
 #declare Place_Sculpture = transform { scale 1 }
-#declare Show_Target = 0;
-#declare Target_Material = material {
-  texture { pigment { rgb <0, 0, 1> } finish { ambient 0 diffuse 0 emission 1 } }
-}
 )";
 constexpr const char* flat_template = R"(
 global_settings { assumed_gamma 1 }
@@ -166,7 +162,9 @@ TEST_F(PovrayWriter, ShowsTheTargetWhereTheTemplateWantsIt) {
   written(
       {"ghost", "collage 0", {{"a", mesh, "#ff0000"}}, instances, &mesh, {{-1, -1, 0}, {1, 1, 0}}});
   EXPECT_EQ(rendered().color_at(0.5, 0.5), "black");
-  folder.write("flat.inc", std::string(flat_template) + "#declare Show_Target = 1;\n");
+  folder.write("flat.inc", std::string(flat_template) +
+                               "object { Target pigment { rgb <0, 0, 1> }\n"
+                               "         finish { ambient 0 diffuse 0 emission 1 } }\n");
   const Picture ghost = rendered();
   EXPECT_EQ(ghost.color_at(0.5, 0.5), "blue");
   EXPECT_EQ(ghost.color_at(0, 0), "red");
