@@ -14,6 +14,9 @@ namespace collage {
 /// One struct a command: what the command line gave. Each run function returns the exit code and
 /// prints its result on standard output; progress, notes and errors go to the terminal.
 
+/// Exit code of a command that answers a question with "no".
+inline constexpr int answer_no = 1;
+
 struct CommonArguments {
   enum class Output { text, json };
   Output output = Output::text;

@@ -9,10 +9,10 @@
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
 #include "cli/version.h"
-#include "geometry/distance_grid.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
 #include "geometry/models.h"
+#include "packing/target.h"
 #include "render/contact_sheet.h"
 #include "scene/obj_exporter.h"
 #include "scene/options_reference.h"
@@ -21,8 +21,6 @@ namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int answer_no = 1;
 
 /// Reads the meshes of a finished folder and writes all instances as one OBJ.
 void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& terminal) {
@@ -43,9 +41,8 @@ void export_distances(const fs::path& mesh_path, const fs::path& sdf, int resolu
                       Terminal& terminal) {
   Mesh mesh = read_obj(mesh_path, terminal).mesh;
   orient(mesh);
-  const Box box = bounding_box(mesh);
-  const Solid solid(mesh, box.center(), 0.5 * glm::length(box.extent()));
-  write_distance_grid(sdf, sample_distance_grid(solid, box, resolution));
+  const MeshTarget target(mesh);
+  write_distance_grid(sdf, sample_distance_grid(target.solid(), target.box(), resolution));
 }
 
 const char* word(Verdict verdict) {
@@ -140,9 +137,7 @@ int run_check(const std::vector<fs::path>& meshes, Terminal& terminal) {
     Mesh mesh = read_obj(path, terminal).mesh;
     const Orientation orientation = orient(mesh);
     fmt::print("{}: {}\n", path.string(), text_of(check_mesh(mesh)));
-    const Box box = bounding_box(mesh);
-    const Solid solid(mesh, box.center(), 0.5 * glm::length(box.extent()));
-    fmt::print("  volume of the solid {:.6g}\n", solid.volume());
+    fmt::print("  volume of the solid {:.6g}\n", MeshTarget(mesh).volume());
     if (const std::string repairs = text_of(orientation); !repairs.empty()) {
       fmt::print("  {}\n", repairs);
     }

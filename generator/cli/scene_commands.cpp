@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int answer_no = 1;
-
 /// A scene of the user's, else one of those that come with the program: "scenes/teapot", "teapot".
 fs::path find_scene(const std::string& name) {
   if (fs::exists(name)) {
