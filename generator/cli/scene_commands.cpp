@@ -77,7 +77,7 @@ void print_paths(const CommonArguments& common, const std::vector<fs::path>& pat
 
 FolderAudit audited(const fs::path& folder, Terminal& terminal) {
   const Stage stage(terminal, "auditing");
-  const FolderAudit result = audit_folder(folder, terminal);
+  FolderAudit result = audit_folder(folder, terminal);
   write_file(folder / "audit.json", audit_json(result));
   return result;
 }
