@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "audit/audit.h"
 #include "base/status.h"
-#include "packing/audit.h"
 
 namespace collage {
 

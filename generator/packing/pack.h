@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "base/status.h"
+#include "geometry/instance.h"
 #include "packing/choose.h"
 #include "packing/clearance_field.h"
 #include "packing/element.h"
-#include "packing/instance.h"
 #include "packing/options.h"
 
 namespace collage {

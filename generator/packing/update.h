@@ -1,8 +1,8 @@
 #pragma once
 
+#include "geometry/instance.h"
 #include "packing/clearance_field.h"
 #include "packing/element.h"
-#include "packing/instance.h"
 
 namespace collage {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/instance.h"
 #include "geometry/mesh.h"
-#include "packing/instance.h"
 
 namespace collage {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "packing/instance.h"
+#include "geometry/instance.h"
 #include "scene/scene.h"
 
 namespace collage {

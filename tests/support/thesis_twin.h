@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/instance.h"
 #include "packing/choose.h"
-#include "packing/instance.h"
 #include "packing/options.h"
 #include "packing/pack.h"
 #include "packing/target.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/status.h"
+#include "geometry/instance.h"
 #include "geometry/mesh.h"
-#include "packing/instance.h"
 
 namespace collage {
 

@@ -1,4 +1,4 @@
-#include "packing/audit.h"
+#include "audit/audit.h"
 
 #include <gtest/gtest.h>
 

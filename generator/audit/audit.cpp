@@ -1,4 +1,4 @@
-#include "packing/audit.h"
+#include "audit/audit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "audit/audit_shape.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "packing/audit_shape.h"
 
 namespace collage {
 namespace {

@@ -1,4 +1,4 @@
-#include "packing/audit_shape.h"
+#include "audit/audit_shape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "geometry/box_tree.h"
+#include "geometry/instance.h"
 #include "geometry/mesh.h"
 #include "geometry/triangle_intersection.h"
 #include "geometry/winding_number.h"
-#include "packing/instance.h"
 
 namespace collage {
 
