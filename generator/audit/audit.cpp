@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "audit/audit_shape.h"
+#include "audit/penetration.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -34,6 +35,7 @@ class Auditor {
   [[nodiscard]] const AuditShape& shape(std::size_t i) const {
     return *shapes_[input_.instances[i].element];
   }
+  void measure_depths(std::vector<Audit::Pair>& pairs) const;
   [[nodiscard]] bool overlap(std::size_t i, std::size_t j) const;
   [[nodiscard]] bool protrudes(std::size_t i) const;
   [[nodiscard]] bool deformed(std::size_t i) const;
@@ -69,7 +71,7 @@ Audit Auditor::run() {
   Audit result;
   for (std::uint32_t i = 0; i < count; ++i) {
     for (const std::uint32_t j : overlapping[i]) {
-      result.overlaps.push_back({i, j});
+      result.overlaps.push_back({i, j, std::nullopt});
     }
     if (protruding[i] != 0) {
       result.protrusions.push_back(i);
@@ -78,7 +80,17 @@ Audit Auditor::run() {
       result.deformed.push_back(i);
     }
   }
+  measure_depths(result.overlaps);
   return result;
+}
+
+void Auditor::measure_depths(std::vector<Audit::Pair>& pairs) const {
+  tbb::parallel_for(
+      std::size_t{0}, std::min(pairs.size(), Audit::depths_measured), [&](std::size_t p) {
+        Audit::Pair& pair = pairs[p];
+        pair.depth = penetration_depth(shape(pair.first), input_.instances[pair.first],
+                                       shape(pair.second), input_.instances[pair.second]);
+      });
 }
 
 /// Each pair once, with the later instance second.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,11 @@ struct Audit {
   struct Pair {
     std::uint32_t first;
     std::uint32_t second;
+    /// See penetration_depth(); measured for the first `depths_measured` pairs.
+    std::optional<double> depth;
   };
+  static constexpr std::size_t depths_measured = 1000;
+
   /// Instances whose surfaces have a point in common, or one of which has a part inside another.
   std::vector<Pair> overlaps;
   /// Instances whose surface meets the target's, or with a part outside of it.

@@ -1,76 +1,23 @@
 #include "cli/audit_folder.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "base/file.h"
+#include "base/error.h"
 #include "base/text.h"
 #include "cli/finished_folder.h"
+#include "scene/povray_reader.h"
 
 namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// `object { Element_3 matrix <12 numbers> }` in scene.pov.
-struct PovInstance {
-  std::uint32_t element = 0;
-  std::array<double, 12> matrix{};
-};
-
-/// Takes `prefix` off the front of `text`, or says that it is not there.
-bool skip(std::string_view& text, std::string_view prefix) {
-  if (!text.starts_with(prefix)) {
-    return false;
-  }
-  text.remove_prefix(prefix.size());
-  return true;
-}
-
-template <class Number>
-bool read_number(std::string_view& text, Number& value) {
-  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
-  text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
-  return error == std::errc{};
-}
-
-bool read_instance(std::string_view line, PovInstance& instance) {
-  if (!read_number(line, instance.element) || !skip(line, " matrix <")) {
-    return false;
-  }
-  for (double& number : instance.matrix) {
-    if (!read_number(line, number)) {
-      return false;
-    }
-    skip(line, ", ");
-  }
-  return line == "> }";
-}
-
-/// All instances in scene.pov in the order of their lines; nothing where a line cannot be read.
-std::optional<std::vector<PovInstance>> read_pov_instances(std::string_view text) {
-  std::vector<PovInstance> instances;
-  while (!text.empty()) {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (skip(line, "object { Element_")) {
-      if (!read_instance(line, instances.emplace_back())) {
-        return std::nullopt;
-      }
-    }
-  }
-  return instances;
-}
-
 /// The same placement, but for the last places of double.
-bool same_placement(const PovInstance& pov, const Instance& instance) {
+bool same_placement(const PovrayScene::Instance& pov, const Instance& instance) {
   const dvec3 origin(0.0);
   const dvec3 translation = instance.world_from_element(origin);
   for (int column = 0; column < 4; ++column) {
@@ -92,22 +39,46 @@ bool same_placement(const PovInstance& pov, const Instance& instance) {
   return true;
 }
 
-/// scene.pov has the instances grouped by element, in the order of placement within each.
-bool scene_agrees(const fs::path& folder, const Sculpture& sculpture) {
-  const auto lines = read_pov_instances(read_file(folder / "scene.pov"));
-  if (!lines || lines->size() != sculpture.instances.size()) {
-    return false;
+bool same_shape(const PovrayScene& scene, const std::string& name, const Mesh& mesh) {
+  const auto found = scene.meshes.find(name);
+  return found != scene.meshes.end() && found->second.positions == mesh.positions &&
+         found->second.triangles == mesh.triangles;
+}
+
+/// What scene.pov says otherwise than sculpture.json and the meshes; empty: nothing. It has the
+/// instances grouped by element, in the order of placement within each.
+std::string scene_difference(const fs::path& folder, const FinishedFolder& finished) {
+  PovrayScene scene;
+  try {
+    scene = read_povray(folder / "scene.pov");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  if (finished.target && !same_shape(scene, "Target", *finished.target)) {
+    return "the target's mesh differs";
+  }
+  for (std::size_t e = 0; e < finished.elements.size(); ++e) {
+    if (!same_shape(scene, fmt::format("Element_{}", e), finished.elements[e])) {
+      return fmt::format("the mesh of element {} differs", e);
+    }
+  }
+  const auto& instances = finished.sculpture.instances;
+  if (scene.instances.size() != instances.size()) {
+    return fmt::format("holds {} instances, not {}", grouped(scene.instances.size()),
+                       grouped(instances.size()));
   }
   std::vector<const Instance*> wanted;
-  for (const Instance& instance : sculpture.instances) {
+  for (const Instance& instance : instances) {
     wanted.push_back(&instance);
   }
-  std::stable_sort(wanted.begin(), wanted.end(),
-                   [](const Instance* a, const Instance* b) { return a->element < b->element; });
-  return std::equal(lines->begin(), lines->end(), wanted.begin(),
-                    [](const PovInstance& pov, const Instance* instance) {
-                      return pov.element == instance->element && same_placement(pov, *instance);
-                    });
+  std::ranges::stable_sort(wanted, {}, &Instance::element);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const PovrayScene::Instance& pov = scene.instances[i];
+    if (pov.element != wanted[i]->element || !same_placement(pov, *wanted[i])) {
+      return fmt::format("line {} places another instance than sculpture.json", pov.line);
+    }
+  }
+  return "";
 }
 
 /// "none", or how many and the first few.
@@ -143,7 +114,7 @@ FolderAudit audit_folder(const fs::path& folder, Status& status) {
   FolderAudit result;
   result.instances = finished.sculpture.instances.size();
   result.audit = audit(input, status);
-  result.scene_agrees = scene_agrees(folder, finished.sculpture);
+  result.scene_difference = scene_difference(folder, finished);
   result.distances_exact = scene.packing.distance == Distance::exact;
   result.target_known = finished.target.has_value();
   return result;
@@ -161,7 +132,8 @@ std::string audit_text(const FolderAudit& result) {
       result.distances_exact ? "" : " (not promised: distances to vertices)",
       result.target_known ? instances_text(result.audit.protrusions)
                           : "not looked for: the target is no mesh",
-      instances_text(result.audit.deformed), result.scene_agrees ? "yes" : "no");
+      instances_text(result.audit.deformed),
+      result.scene_difference.empty() ? "yes" : result.scene_difference);
 }
 
 std::string audit_json(const FolderAudit& result) {
@@ -171,7 +143,7 @@ std::string audit_json(const FolderAudit& result) {
       "\n",
       result.passed(), result.instances, result.audit.overlaps.size(),
       result.target_known ? std::to_string(result.audit.protrusions.size()) : "null",
-      result.audit.deformed.empty(), result.scene_agrees);
+      result.audit.deformed.empty(), result.scene_difference.empty());
 }
 
 }  // namespace collage

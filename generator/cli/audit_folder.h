@@ -12,8 +12,8 @@ namespace collage {
 struct FolderAudit {
   Audit audit;
   std::size_t instances = 0;
-  /// Every matrix in scene.pov is that of sculpture.json, and none is missing or too many.
-  bool scene_agrees = false;
+  /// What scene.pov says otherwise than sculpture.json and the meshes; empty: nothing.
+  std::string scene_difference;
   /// packing.distance = "vertices" does not promise that nothing overlaps or sticks out.
   bool distances_exact = true;
   /// The target is a mesh, so that protrusions could be looked for.
@@ -21,7 +21,7 @@ struct FolderAudit {
 
   [[nodiscard]] bool passed() const {
     const bool apart = audit.overlaps.empty() && audit.protrusions.empty();
-    return (apart || !distances_exact) && audit.deformed.empty() && scene_agrees;
+    return (apart || !distances_exact) && audit.deformed.empty() && scene_difference.empty();
   }
 };
 

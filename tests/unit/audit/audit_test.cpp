@@ -62,6 +62,8 @@ TEST_F(AuditTest, FindsAnInstanceMovedIntoItsNeighbour) {
   ASSERT_FALSE(result.overlaps.empty());
   EXPECT_EQ(result.overlaps[0].first, 0U);
   EXPECT_EQ(result.overlaps[0].second, 1U);
+  EXPECT_GT(result.overlaps[0].depth.value(), 0.0);
+  EXPECT_LE(result.overlaps[0].depth.value(), 2e-4);
 }
 
 TEST_F(AuditTest, FindsAnInstancePutInsideAnothersWall) {

@@ -1,0 +1,158 @@
+#include "scene/povray_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace collage {
+namespace {
+
+/// Takes `prefix` off the front of `text`, or says that it is not there.
+bool skip(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) {
+    return false;
+  }
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+template <class Number>
+bool read_number(std::string_view& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
+  text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
+  return error == std::errc{};
+}
+
+/// `<1, 2, 3>` or `<1,2,3>`.
+template <class Number>
+bool read_vector(std::string_view& text, Number* values, int count) {
+  if (!skip(text, "<")) {
+    return false;
+  }
+  for (int i = 0; i < count; ++i) {
+    if ((i > 0 && !skip(text, ",")) || (skip(text, " "), !read_number(text, values[i]))) {
+      return false;
+    }
+  }
+  return skip(text, ">");
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {
+    rest_ = text_;
+  }
+
+  PovrayScene scene() {
+    PovrayScene scene;
+    while (next_line()) {
+      std::string_view text = line_;
+      if (skip(text, "#declare ") && text.ends_with(" = mesh2 {")) {
+        const std::string name(text.substr(0, text.find(' ')));
+        if (!scene.meshes.emplace(name, mesh2()).second) {
+          fail();
+        }
+      } else if (line_ == "union {") {
+        read_union(scene.instances);
+      }
+    }
+    return scene;
+  }
+
+ private:
+  bool next_line() {
+    if (rest_.empty()) {
+      return false;
+    }
+    line_ = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(rest_.size(), line_.size() + 1));
+    line_.remove_prefix(std::min(line_.find_first_not_of(' '), line_.size()));
+    ++number_;
+    return true;
+  }
+  void require_line() {
+    if (!next_line()) {
+      fail();
+    }
+  }
+  [[noreturn]] void fail() const {
+    throw Error({path_, number_}, "is not as the program writes it",
+                "write the folder anew with `collage pack`");
+  }
+
+  Mesh mesh2() {
+    Mesh mesh;
+    for (require_line(); line_ != "}"; require_line()) {
+      if (line_ == "vertex_vectors {") {
+        read_list(mesh.positions,
+                  [](std::string_view& item, dvec3& v) { return read_vector(item, &v.x, 3); });
+      } else if (line_ == "face_indices {") {
+        read_list(mesh.triangles, [](std::string_view& item, uvec3& t) {
+          if (!read_vector(item, &t.x, 3)) {
+            return false;
+          }
+          std::uint32_t material = 0;  // where each triangle has its own
+          skip(item, ",");
+          read_number(item, material);
+          return true;
+        });
+      } else if (line_.ends_with("{")) {
+        while (line_ != "}") {  // normals, uv and textures, which have no part in the promises
+          require_line();
+        }
+      }
+    }
+    return mesh;
+  }
+
+  /// `count, item, item, … }`, an item a line.
+  template <class Item, class ReadItem>
+  void read_list(std::vector<Item>& items, ReadItem read_item) {
+    std::size_t count = 0;
+    require_line();
+    if (!read_number(line_, count) || count > text_.size()) {
+      fail();
+    }
+    items.reserve(count);
+    for (require_line(); line_ != "}"; require_line()) {
+      if (!read_item(line_, items.emplace_back()) || !(line_.empty() || line_ == ",")) {
+        fail();
+      }
+    }
+    if (items.size() != count) {
+      fail();
+    }
+  }
+
+  void read_union(std::vector<PovrayScene::Instance>& instances) {
+    for (require_line(); line_ != "}"; require_line()) {
+      if (skip(line_, "object { Element_")) {
+        PovrayScene::Instance& instance = instances.emplace_back();
+        instance.line = number_;
+        if (!read_number(line_, instance.element) || !skip(line_, " matrix ") ||
+            !read_vector(line_, instance.matrix.data(), 12) || line_ != " }") {
+          fail();
+        }
+      } else if (!line_.starts_with("#if (Shows_Element(") && !line_.starts_with("#if (Stage > ") &&
+                 line_ != "#end" && line_ != "interior { Element_Interior }" &&
+                 line_ != "transform { Place_Sculpture }") {
+        fail();
+      }
+    }
+  }
+
+  std::filesystem::path path_;
+  std::string text_;
+  std::string_view rest_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
+}  // namespace
+
+PovrayScene read_povray(const std::filesystem::path& path) { return Reader(path).scene(); }
+
+}  // namespace collage
