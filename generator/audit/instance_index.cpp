@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <tbb/parallel_for.h>
 
@@ -10,8 +11,6 @@
 namespace collage {
 namespace {
 
-/// Boxes of the hierarchy over a mesh's triangles that make up its outline for world boxes.
-constexpr std::size_t boxes_of_shape = 64;
 /// The hierarchy halves its items, so that it is at most 33 deep for 2³² of them.
 constexpr std::size_t stack_size = 64;
 
@@ -30,44 +29,57 @@ Solid solid_of(const Mesh& mesh) {
   return {mesh, sphere.center, sphere.radius};
 }
 
-/// At most `boxes_of_shape` boxes that hold the mesh between them.
-std::vector<Box> few_boxes(const Mesh& mesh) {
-  std::vector<Box> triangles(mesh.triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      triangles[t].include(mesh.corner(t, k));
-    }
-  }
-  const BoxTree tree(triangles);
-  std::vector<std::uint32_t> nodes{0};
-  bool opened = true;
-  while (opened && 2 * nodes.size() <= boxes_of_shape) {
-    opened = false;
-    for (std::size_t i = 0, count = nodes.size(); i < count; ++i) {
-      const BoxTree::Node& node = tree.nodes()[nodes[i]];
-      if (!node.is_leaf()) {
-        nodes.push_back(node.second_child);
-        ++nodes[i];  // the first child is next to its parent
-        opened = true;
-      }
-    }
-  }
+std::vector<Box> boxes_of(const std::vector<dvec3>& points) {
   std::vector<Box> boxes;
-  for (const std::uint32_t node : nodes) {
-    boxes.push_back(tree.nodes()[node].box);
+  boxes.reserve(points.size());
+  for (const dvec3& point : points) {
+    boxes.push_back({point, point});
   }
   return boxes;
+}
+
+/// How far the points of a tree reach along a direction: the largest dot product.
+double reach(const BoxTree& points, const dvec3& direction) {
+  const auto bound = [&](std::uint32_t node) {
+    const Box& box = points.nodes()[node].box;
+    return glm::dot(direction, box.center()) + glm::dot(glm::abs(direction), 0.5 * box.extent());
+  };
+  double farthest = -std::numeric_limits<double>::infinity();
+  std::array<std::uint32_t, stack_size> stack{0};
+  for (std::size_t depth = 1; depth > 0;) {
+    const std::uint32_t index = stack[--depth];
+    const BoxTree::Node& node = points.nodes()[index];
+    if (bound(index) <= farthest) {
+      continue;
+    }
+    if (node.is_leaf()) {
+      farthest = bound(index);
+      continue;
+    }
+    const bool second_first = bound(node.second_child) > bound(index + 1);
+    stack[depth++] = second_first ? index + 1 : node.second_child;
+    stack[depth++] = second_first ? node.second_child : index + 1;
+  }
+  return farthest;
 }
 
 }  // namespace
 
 struct InstanceIndex::Shape {
-  const Mesh* mesh;
   Solid solid;
-  std::vector<Box> boxes;
+  BoxTree vertices;
 
-  explicit Shape(const Mesh& source)
-      : mesh(&source), solid(solid_of(source)), boxes(few_boxes(source)) {}
+  explicit Shape(const Mesh& mesh) : solid(solid_of(mesh)), vertices(boxes_of(mesh.positions)) {}
+
+  [[nodiscard]] Box world_box(const Instance& instance) const {
+    const glm::dmat3 rows = glm::transpose(glm::mat3_cast(instance.rotation)) * instance.scale;
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min[axis] = instance.translation[axis] - reach(vertices, -rows[axis]);
+      box.max[axis] = instance.translation[axis] + reach(vertices, rows[axis]);
+    }
+    return box;
+  }
 };
 
 InstanceIndex::InstanceIndex(std::span<const Mesh* const> elements,
@@ -84,7 +96,9 @@ InstanceIndex::InstanceIndex(std::span<const Mesh* const> elements,
   shapes_.resize(meshes.size());
   tbb::parallel_for(std::size_t{0}, meshes.size(),
                     [&](std::size_t i) { shapes_[i] = std::make_unique<Shape>(*meshes[i]); });
-  boxes_ = find_boxes();
+  boxes_.resize(instances.size());
+  tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(boxes_.size()),
+                    [&](std::uint32_t i) { boxes_[i] = shape(i).world_box(instances[i]); });
   tree_ = BoxTree(boxes_);
 }
 
@@ -100,22 +114,6 @@ const Solid& InstanceIndex::solid(std::uint32_t instance) const { return shape(i
 
 dvec3 InstanceIndex::unit_from_world(std::uint32_t instance, const dvec3& point) const {
   return solid(instance).unit_from_mesh(instances_[instance].element_from_world(point));
-}
-
-std::vector<Box> InstanceIndex::find_boxes() const {
-  std::vector<Box> boxes(instances_.size());
-  tbb::parallel_for(
-      std::uint32_t{0}, static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
-        const glm::dmat3 matrix = glm::mat3_cast(instances_[i].rotation) * instances_[i].scale;
-        const glm::dmat3 absolute(glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]));
-        for (const Box& box : shape(i).boxes) {
-          const dvec3 center = matrix * box.center() + instances_[i].translation;
-          const dvec3 half = absolute * (0.5 * box.extent());
-          boxes[i].include(center - half);
-          boxes[i].include(center + half);
-        }
-      });
-  return boxes;
 }
 
 void InstanceIndex::look_at(std::uint32_t instance, const dvec3& point, Nearest& best,

@@ -26,8 +26,7 @@ class InstanceIndex {
   InstanceIndex& operator=(InstanceIndex&&) noexcept;
 
   [[nodiscard]] std::span<const Instance> instances() const { return instances_; }
-  /// For each instance a box that holds it, wider than the smallest one by a few percent for
-  /// usual meshes.
+  /// For each instance the smallest box around its vertices, up to rounding.
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
   /// Over boxes(); its items are the instances.
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
@@ -60,7 +59,6 @@ class InstanceIndex {
 
   [[nodiscard]] const Shape& shape(std::uint32_t instance) const;
   [[nodiscard]] dvec3 unit_from_world(std::uint32_t instance, const dvec3& point) const;
-  [[nodiscard]] std::vector<Box> find_boxes() const;
   void look_at(std::uint32_t instance, const dvec3& point, Nearest& best, bool& found) const;
 };
 
