@@ -21,6 +21,9 @@ struct Instance {
   [[nodiscard]] glm::dvec3 world_from_element(const glm::dvec3& point) const {
     return rotation * (scale * point) + translation;
   }
+  [[nodiscard]] glm::dvec3 element_from_world(const glm::dvec3& point) const {
+    return glm::conjugate(rotation) * (point - translation) / scale;
+  }
 };
 
 }  // namespace collage
