@@ -1,0 +1,196 @@
+#include "audit/largest_hole.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace collage {
+namespace {
+
+constexpr double tolerance = 0.01;
+constexpr double smallest_fraction = 1e-3;
+constexpr int first_cubes_per_side = 16;
+/// Cubes cut and looked at together; bounds the memory.
+constexpr std::size_t batch = 1 << 16;
+
+class Search {
+ public:
+  Search(const Solid& target, const Box& box, const InstanceIndex& index, Surfaces surfaces,
+         Status& status)
+      : target_(target),
+        index_(index),
+        status_(status),
+        closed_(surfaces == Surfaces::closed),
+        smallest_(smallest_fraction * box.longest_side()) {
+    best_.proven = closed_;
+    const double side = box.longest_side() / first_cubes_per_side;
+    const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(box.extent() / side)), glm::ivec3(1));
+    for (int z = 0; z < count.z; ++z) {
+      for (int y = 0; y < count.y; ++y) {
+        for (int x = 0; x < count.x; ++x) {
+          first_cubes_.push_back(box.min + side * (dvec3(x, y, z) + 0.5));
+        }
+      }
+    }
+    first_side_ = side;
+  }
+
+  LargestHole run() {
+    search(first_cubes_, first_side_, 0.0, 1.0);
+    best_.bound = limit();
+    return best_;
+  }
+
+ private:
+  enum class State : std::uint8_t { unknown, taken, free };
+  struct Clearance {
+    /// To the nearest surface, on whichever side; the true one is in [distance - error, distance].
+    double distance = 0.0;
+    double error = 0.0;
+    State state = State::unknown;
+
+    [[nodiscard]] double at_least() const { return std::max(0.0, distance - error); }
+  };
+
+  /// Nothing above this is left unseen.
+  [[nodiscard]] double limit() const {
+    return std::max(best_.radius * (1.0 + tolerance), smallest_);
+  }
+
+  [[nodiscard]] Clearance clearance(const dvec3& point) const {
+    const dvec3 unit = target_.unit_from_mesh(point);
+    const auto wall = target_.surface().find(unit, std::numeric_limits<double>::infinity());
+    Clearance result{wall->distance * target_.radius(),
+                     ClosestPointIndex::error(unit) * target_.radius()};
+    if (const auto nearest = index_.nearest(point, result.distance)) {
+      result.distance = nearest->distance;
+      result.error = std::max(result.error, nearest->error);
+    }
+    return result;
+  }
+  [[nodiscard]] State state(const dvec3& point) const {
+    const bool inside = target_.inside(target_.unit_from_mesh(point));
+    return inside && !index_.holder(point) ? State::free : State::taken;
+  }
+
+  /// Takes over the free points that are better than the best, then climbs from there.
+  void improve(const std::vector<dvec3>& points, std::vector<Clearance>& clearances) {
+    const double before = best_.radius;
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+      if (clearances[i].at_least() > before) {
+        clearances[i].state = state(points[i]);
+      }
+    });
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (clearances[i].state == State::free && clearances[i].at_least() > best_.radius) {
+        best_.center = points[i];
+        best_.radius = clearances[i].at_least();
+      }
+    }
+    if (best_.radius > before) {
+      climb();
+    }
+  }
+
+  /// Compass search: steps along the axes while they lead up, then half as long.
+  void climb() {
+    for (double step = 0.5 * best_.radius; step > 1e-3 * tolerance * best_.radius; step *= 0.5) {
+      bool moved = true;
+      while (moved) {
+        moved = false;
+        for (int side = 0; side < 6; ++side) {
+          dvec3 point = best_.center;
+          point[side / 2] += side % 2 == 0 ? step : -step;
+          const double radius = clearance(point).at_least();
+          if (radius > best_.radius * (1.0 + 1e-9) && state(point) == State::free) {
+            best_.center = point;
+            best_.radius = radius;
+            moved = true;
+          }
+        }
+      }
+    }
+  }
+
+  /// Whether a cube may hold a clearance above the limit.
+  [[nodiscard]] bool promising(const dvec3& point, Clearance& c, double half_diagonal) const {
+    if (c.distance + half_diagonal <= limit()) {
+      return false;
+    }
+    if (c.state == State::unknown) {
+      c.state = state(point);
+    }
+    if (c.state == State::free) {
+      return true;
+    }
+    return closed_ ? half_diagonal - c.at_least() > limit() : half_diagonal > 0.5 * limit();
+  }
+
+  /// `begin` and `share`: which part of the whole work this is.
+  void search(const std::vector<dvec3>& cubes, double side, double begin, double share) {
+    if (status_.stop_requested()) {
+      throw Interrupted();
+    }
+    std::vector<Clearance> clearances(cubes.size());
+    tbb::parallel_for(std::size_t{0}, cubes.size(),
+                      [&](std::size_t i) { clearances[i] = clearance(cubes[i]); });
+    improve(cubes, clearances);
+
+    const double half_diagonal = 0.5 * std::sqrt(3.0) * side;
+    std::vector<char> keep(cubes.size());
+    tbb::parallel_for(std::size_t{0}, cubes.size(), [&](std::size_t i) {
+      keep[i] = promising(cubes[i], clearances[i], half_diagonal) ? 1 : 0;
+    });
+    const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+    std::vector<dvec3> parts;
+    parts.reserve(std::min(batch, 8 * kept));
+    std::size_t done = 0;
+    const auto descend = [&](std::size_t next) {
+      const double per_cube = share / static_cast<double>(kept);
+      search(parts, 0.5 * side, begin + static_cast<double>(done) * per_cube,
+             static_cast<double>(next - done) * per_cube);
+      parts.clear();
+      done = next;
+    };
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (keep[i] == 0) {
+        continue;
+      }
+      ++taken;
+      for (int k = 0; k < 8; ++k) {
+        const dvec3 corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+        parts.push_back(cubes[i] + 0.25 * side * corner);
+      }
+      if (parts.size() + 8 > batch || taken == kept) {
+        descend(taken);
+      }
+    }
+    status_.update(begin + share,
+                   fmt::format("largest hole {:.4g} or below {:.4g}", best_.radius, limit()));
+  }
+
+  const Solid& target_;
+  const InstanceIndex& index_;
+  Status& status_;
+  bool closed_;
+  double smallest_;
+  std::vector<dvec3> first_cubes_;
+  double first_side_ = 0.0;
+  LargestHole best_;
+};
+
+}  // namespace
+
+LargestHole find_largest_hole(const Solid& target, const Box& box, const InstanceIndex& index,
+                              Surfaces surfaces, Status& status) {
+  return Search(target, box, index, surfaces, status).run();
+}
+
+}  // namespace collage
