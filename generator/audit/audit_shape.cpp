@@ -1,6 +1,7 @@
 #include "audit/audit_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -98,10 +99,6 @@ Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t 
           instance.world_from_element(mesh.corner(triangle, 2))};
 }
 
-dvec3 element_from_world(const Instance& instance, const dvec3& point) {
-  return glm::conjugate(instance.rotation) * (point - instance.translation) / instance.scale;
-}
-
 }  // namespace
 
 AuditShape::AuditShape(const Mesh& mesh)
@@ -126,10 +123,11 @@ Box world_box(const AuditShape& shape, const Instance& instance) {
 bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
                    const Instance& instance_b) {
   const Relative a_from_b(instance_a, instance_b, a.box());
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
-  while (!stack.empty()) {
-    const auto [ia, ib] = stack.back();
-    stack.pop_back();
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 2 * BoxTree::deepest> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {0, 0};
+  while (depth > 0) {
+    const auto [ia, ib] = stack[--depth];
     const BoxTree::Node& na = a.tree().nodes()[ia];
     const BoxTree::Node& nb = b.tree().nodes()[ib];
     const Box box_b = a_from_b.box(nb.box);
@@ -142,11 +140,11 @@ bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditS
         return true;
       }
     } else if (nb.is_leaf() || (!na.is_leaf() && na.box.longest_side() > box_b.longest_side())) {
-      stack.emplace_back(ia + 1, ib);
-      stack.emplace_back(na.second_child, ib);
+      stack[depth++] = {ia + 1, ib};
+      stack[depth++] = {na.second_child, ib};
     } else {
-      stack.emplace_back(ia, ib + 1);
-      stack.emplace_back(ia, nb.second_child);
+      stack[depth++] = {ia, ib + 1};
+      stack[depth++] = {ia, nb.second_child};
     }
   }
   return false;
@@ -155,7 +153,7 @@ bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditS
 bool has_part_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
                      const Instance& instance_b) {
   return std::any_of(b.part_points().begin(), b.part_points().end(), [&](const dvec3& part_point) {
-    const dvec3 point = element_from_world(instance_a, instance_b.world_from_element(part_point));
+    const dvec3 point = instance_a.element_from_world(instance_b.world_from_element(part_point));
     const Box& box = a.box();
     const bool in_box = glm::all(glm::greaterThanEqual(point, box.min)) &&
                         glm::all(glm::lessThanEqual(point, box.max));

@@ -1,6 +1,7 @@
 #include "audit/penetration.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -17,10 +18,11 @@ double squared_distance(const dvec3& point, const Box& box) {
 
 double distance_to_surface(const AuditShape& shape, const dvec3& point) {
   double best = std::numeric_limits<double>::infinity();
-  std::vector<std::uint32_t> stack{0};
-  while (!stack.empty()) {
-    const std::uint32_t index = stack.back();
-    stack.pop_back();
+  std::array<std::uint32_t, BoxTree::deepest> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::uint32_t index = stack[--depth];
     const BoxTree::Node& node = shape.tree().nodes()[index];
     if (squared_distance(point, node.box) >= best * best) {
       continue;
@@ -31,8 +33,8 @@ double distance_to_surface(const AuditShape& shape, const dvec3& point) {
           point, mesh.corner(node.item, 0), mesh.corner(node.item, 1), mesh.corner(node.item, 2));
       best = std::min(best, glm::distance(point, closest));
     } else {
-      stack.push_back(node.second_child);
-      stack.push_back(index + 1);
+      stack[depth++] = node.second_child;
+      stack[depth++] = index + 1;
     }
   }
   return best;
@@ -59,11 +61,10 @@ class Intruder {
   Intruder(const AuditShape& host, const Instance& host_instance, const AuditShape& guest,
            const Instance& guest_instance)
       : host_(host), guest_(guest.mesh()) {
-    const glm::dquat turned_back = glm::conjugate(host_instance.rotation);
     vertices_.reserve(guest_.positions.size());
     for (const dvec3& position : guest_.positions) {
-      const dvec3 world = guest_instance.world_from_element(position);
-      vertices_.push_back(turned_back * (world - host_instance.translation) / host_instance.scale);
+      vertices_.push_back(
+          host_instance.element_from_world(guest_instance.world_from_element(position)));
     }
   }
 

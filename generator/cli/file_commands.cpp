@@ -8,7 +8,6 @@
 #include "cli/commands.h"
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
-#include "cli/version.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
 #include "geometry/models.h"
@@ -25,16 +24,7 @@ namespace fs = std::filesystem;
 /// Reads the meshes of a finished folder and writes all instances as one OBJ.
 void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& terminal) {
   const FinishedFolder finished = read_finished_folder(folder, terminal);
-  const Sculpture& sculpture = finished.sculpture;
-  Composition composition;
-  composition.name = sculpture.options.name;
-  composition.made_by = std::string("collage ") + version;
-  for (std::size_t e = 0; e < finished.elements.size(); ++e) {
-    composition.elements.push_back(
-        {sculpture.elements[e].name, finished.elements[e], sculpture.options.elements[e].color});
-  }
-  composition.instances = sculpture.instances;
-  export_obj(obj, composition, terminal);
+  export_obj(obj, composition_of(finished), terminal);
 }
 
 void export_distances(const fs::path& mesh_path, const fs::path& sdf, int resolution,

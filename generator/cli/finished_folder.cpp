@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/version.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
 #include "scene/sculpture_file.h"
@@ -46,6 +47,23 @@ FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
     finished.target = read_input(folder, finished.sculpture.target);
   }
   return finished;
+}
+
+Composition composition_of(const FinishedFolder& finished) {
+  const Sculpture& sculpture = finished.sculpture;
+  Composition composition;
+  composition.name = sculpture.options.name;
+  composition.made_by = std::string("collage ") + version;
+  for (std::size_t e = 0; e < finished.elements.size(); ++e) {
+    composition.elements.push_back(
+        {sculpture.elements[e].name, finished.elements[e], sculpture.options.elements[e].color});
+  }
+  composition.instances = sculpture.instances;
+  if (finished.target) {
+    composition.target = &*finished.target;
+    composition.target_box = bounding_box(*finished.target);
+  }
+  return composition;
 }
 
 }  // namespace collage

@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include "geometry/mesh.h"
+#include "scene/composition.h"
 #include "scene/sculpture.h"
 
 namespace collage {
@@ -24,5 +25,8 @@ Sculpture read_finished_sculpture(const std::filesystem::path& folder);
 /// Throws Error where the folder holds no sculpture, or an input is missing or not the one that the
 /// sculpture was made from.
 FinishedFolder read_finished_folder(const std::filesystem::path& folder, Status& status);
+
+/// For the exporters; refers to the meshes and instances of `finished`, which must outlive it.
+Composition composition_of(const FinishedFolder& finished);
 
 }  // namespace collage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -25,6 +26,10 @@ class BoxTree {
     [[nodiscard]] bool is_leaf() const { return second_child == 0; }
   };
 
+  /// More than a walk down the tree has to remember: it halves its items, of which there are fewer
+  /// than 2³².
+  static constexpr std::size_t deepest = 40;
+
   explicit BoxTree(const std::vector<Box>& boxes) {
     std::vector<std::uint32_t> items(boxes.size());
     std::iota(items.begin(), items.end(), 0U);
@@ -40,13 +45,13 @@ class BoxTree {
   /// Calls `visit(item)` for each box that meets `query`.
   template <class Visit>
   void find(const Box& query, Visit&& visit) const {
-    std::vector<std::uint32_t> stack;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t depth = 0;
     if (!nodes_.empty()) {
-      stack.push_back(0);
+      stack[depth++] = 0;
     }
-    while (!stack.empty()) {
-      const std::uint32_t index = stack.back();
-      stack.pop_back();
+    while (depth > 0) {
+      const std::uint32_t index = stack[--depth];
       const Node& node = nodes_[index];
       if (!boxes_meet(node.box, query)) {
         continue;
@@ -54,8 +59,8 @@ class BoxTree {
       if (node.is_leaf()) {
         visit(node.item);
       } else {
-        stack.push_back(node.second_child);
-        stack.push_back(index + 1);
+        stack[depth++] = node.second_child;
+        stack[depth++] = index + 1;
       }
     }
   }
