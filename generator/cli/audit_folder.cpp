@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/stage.h"
 #include "base/text.h"
 #include "cli/finished_folder.h"
 #include "scene/povray_reader.h"
@@ -81,27 +83,32 @@ std::string scene_difference(const fs::path& folder, const FinishedFolder& finis
   return "";
 }
 
-/// "none", or how many and the first few.
-std::string overlap_text(const std::vector<Audit::Pair>& pairs) {
-  std::string text = pairs.empty() ? "none" : grouped(pairs.size()) + " pairs:";
-  for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 5); ++i) {
-    text += fmt::format(" {}-{}", pairs[i].first, pairs[i].second);
+/// Under the scene's rules: in the hole that was found, or in one as large as none can be.
+FolderAudit::StillFits still_fits(const FinishedFolder& finished, const Measures& measures) {
+  using StillFits = FolderAudit::StillFits;
+  if (!measures.largest_hole || !measures.largest_hole->proven) {
+    return StillFits::undecided;
   }
-  return text;
-}
-
-std::string instances_text(const std::vector<std::uint32_t>& instances) {
-  std::string text = instances.empty() ? "none" : grouped(instances.size()) + ":";
-  for (std::size_t i = 0; i < std::min<std::size_t>(instances.size(), 5); ++i) {
-    text += fmt::format(" {}", instances[i]);
+  const Scene& scene = finished.sculpture.options;
+  const double side = measures.side;
+  double needed = scene.packing.threshold * side;
+  if (scene.packing.scaling == Scaling::fixed) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+      const double scale = *std::ranges::min_element(scene.elements[e].scales);
+      smallest = std::min(smallest, scale * finished.sculpture.elements[e].size);
+    }
+    needed = std::max(needed, smallest);
   }
-  return text;
+  needed += scene.packing.spacing * side;
+  return measures.largest_hole->radius >= needed ? StillFits::yes
+         : measures.largest_hole->bound < needed ? StillFits::no
+                                                 : StillFits::undecided;
 }
 
 }  // namespace
 
-FolderAudit audit_folder(const fs::path& folder, Status& status) {
-  const FinishedFolder finished = read_finished_folder(folder, status);
+FolderAudit audit_folder(const fs::path& folder, const FinishedFolder& finished, Status& status) {
   const Scene& scene = finished.sculpture.options;
   AuditInput input;
   input.target = finished.target ? &*finished.target : nullptr;
@@ -112,38 +119,18 @@ FolderAudit audit_folder(const fs::path& folder, Status& status) {
   }
   input.instances = finished.sculpture.instances;
   FolderAudit result;
-  result.instances = finished.sculpture.instances.size();
-  result.audit = audit(input, status);
-  result.scene_difference = scene_difference(folder, finished);
+  result.instances = input.instances.size();
   result.distances_exact = scene.packing.distance == Distance::exact;
   result.target_known = finished.target.has_value();
+  {
+    const Stage stage(status, "auditing");
+    result.audit = audit(input, status);
+    result.scene_difference = scene_difference(folder, finished);
+  }
+  const Stage stage(status, "measuring");
+  result.measures = measure({input.target, input.elements, input.instances}, status);
+  result.still_fits = still_fits(finished, result.measures);
   return result;
-}
-
-std::string audit_text(const FolderAudit& result) {
-  const char* verdict = result.passed() ? "passed" : "FAILED";
-  return fmt::format(
-      "audit                   {}\n"
-      "  overlaps              {}{}\n"
-      "  protrusions           {}\n"
-      "  deformed              {}\n"
-      "  scene.pov agrees      {}\n",
-      verdict, overlap_text(result.audit.overlaps),
-      result.distances_exact ? "" : " (not promised: distances to vertices)",
-      result.target_known ? instances_text(result.audit.protrusions)
-                          : "not looked for: the target is no mesh",
-      instances_text(result.audit.deformed),
-      result.scene_difference.empty() ? "yes" : result.scene_difference);
-}
-
-std::string audit_json(const FolderAudit& result) {
-  return fmt::format(
-      R"({{"passed": {}, "instances": {}, "overlaps": {}, "protrusions": {}, "rigid": {}, )"
-      R"("scene_agrees": {}}})"
-      "\n",
-      result.passed(), result.instances, result.audit.overlaps.size(),
-      result.target_known ? std::to_string(result.audit.protrusions.size()) : "null",
-      result.audit.deformed.empty(), result.scene_difference.empty());
 }
 
 }  // namespace collage

@@ -55,6 +55,7 @@ class CommandLine {
   CommonArguments common_;
   SceneArguments scene_;
   PictureArguments picture_;
+  AuditArguments audit_;
   SheetArguments sheet_;
   CompareArguments compare_;
   ExportArguments export_;
@@ -202,13 +203,14 @@ void CommandLine::add_export() {
 }
 
 void CommandLine::add_small_commands() {
-  CLI::App* audit = add("audit", "Prove of a finished folder that nothing overlaps or sticks out");
-  audit->add_option("folder", picture_.folder, "A folder that make or pack has written")
-      ->required();
+  CLI::App* audit =
+      add("audit", "Prove of a finished folder that nothing overlaps or sticks out, and measure it");
+  audit->add_option("folder", audit_.folder, "A folder that make or pack has written")->required();
+  audit->add_option("--offenders", audit_.offenders,
+                    "Write a folder that holds only the instances at fault, for `collage still`");
   add_common(audit);
   add_json(audit);
-  audit->callback(
-      [this] { run_ = [this](Terminal& t) { return run_audit(picture_.folder, common_, t); }; });
+  audit->callback([this] { run_ = [this](Terminal& t) { return run_audit(audit_, common_, t); }; });
 
   CLI::App* check = add("check", "Say what there is to know of meshes");
   check->add_option("meshes", meshes_, "OBJ files")->required();

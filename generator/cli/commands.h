@@ -40,9 +40,14 @@ struct SceneArguments {
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 
-/// Holds the promises against a finished folder; writes audit.json there; exit code 1: broken.
-int run_audit(const std::filesystem::path& folder, const CommonArguments& common,
-              Terminal& terminal);
+struct AuditArguments {
+  std::filesystem::path folder;
+  /// Where the instances that break a promise go; empty: nowhere.
+  std::filesystem::path offenders;
+};
+/// Holds the promises against a finished folder and measures it; writes audit.json there; exit code
+/// 1: a promise is broken.
+int run_audit(const AuditArguments& arguments, const CommonArguments& common, Terminal& terminal);
 
 /// `still`, `turntable`, `render` and `sheet`: pictures of a finished folder. What is not given is
 /// as its scene has it.

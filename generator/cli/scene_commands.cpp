@@ -5,12 +5,12 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/stage.h"
-#include "base/stopwatch.h"
 #include "cli/audit_folder.h"
 #include "cli/commands.h"
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
+#include "cli/make_scene.h"
+#include "cli/offenders.h"
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
 #include "scene/scene_file.h"
@@ -73,13 +73,6 @@ void print_paths(const CommonArguments& common, const std::vector<fs::path>& pat
       fmt::print("{}\n", path.string());
     }
   }
-}
-
-FolderAudit audited(const fs::path& folder, Terminal& terminal) {
-  const Stage stage(terminal, "auditing");
-  FolderAudit result = audit_folder(folder, terminal);
-  write_file(folder / "audit.json", audit_json(result));
-  return result;
 }
 
 /// POV-Ray and what else rendering takes, set up once for a command.
@@ -147,8 +140,12 @@ int run_pack(const SceneArguments& arguments, const CommonArguments& common, Ter
   return 0;
 }
 
-int run_audit(const fs::path& folder, const CommonArguments& common, Terminal& terminal) {
-  const FolderAudit result = audited(folder, terminal);
+int run_audit(const AuditArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);
+  const FolderAudit result = audit_and_note(arguments.folder, finished, terminal);
+  if (!arguments.offenders.empty()) {
+    write_offenders(arguments.folder, finished, result.audit, arguments.offenders, terminal);
+  }
   const std::string text =
       common.output == CommonArguments::Output::json ? audit_json(result) : audit_text(result);
   std::fputs(text.c_str(), stdout);
@@ -159,18 +156,15 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
-  Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
-  const FolderAudit audit = audited(folder, terminal);
-  if (!audit.passed()) {
-    std::fputs(audit_text(audit).c_str(), stdout);
+  const MadeScene made =
+      make_scene(scene, command_text(arguments, scene), folder, renderer.tools);
+  if (!made.audit.passed()) {
+    std::fputs(audit_text(made.audit).c_str(), stdout);
     return answer_no;
   }
-  const Stopwatch rendering;
-  const std::vector<fs::path> pictures = render_outputs(renderer.tools, folder, scene);
-  report.seconds.render = rendering.seconds();
-  write_report(folder / "report.json", report);
-  print_report(common, folder, report);
-  print_paths(common, pictures);
+  print_report(common, folder, made.report);
+  print_paths(common, made.pictures);
+  print_paths(common, {folder / "report.html"});
   return 0;
 }
 

@@ -1,0 +1,36 @@
+#include "cli/make_scene.h"
+
+#include "base/file.h"
+#include "base/stage.h"
+#include "base/stopwatch.h"
+#include "cli/pack_scene.h"
+#include "cli/render_outputs.h"
+#include "cli/sculpture_page.h"
+
+namespace collage {
+
+FolderAudit audit_and_note(const std::filesystem::path& folder, const FinishedFolder& finished,
+                           Status& status) {
+  const Stage stage(status, "auditing");
+  FolderAudit result = audit_folder(folder, finished, status);
+  write_file(folder / "audit.json", audit_json(result));
+  return result;
+}
+
+MadeScene make_scene(const Scene& scene, const std::string& command,
+                     const std::filesystem::path& folder, const RenderTools& tools) {
+  MadeScene made;
+  made.report = pack_scene(scene, command, folder, tools.status);
+  const FinishedFolder finished = read_finished_folder(folder, tools.status);
+  made.audit = audit_and_note(folder, finished, tools.status);
+  if (made.audit.passed()) {
+    const Stopwatch rendering;
+    made.pictures = render_outputs(tools, folder, scene);
+    made.report.seconds.render = rendering.seconds();
+    write_report(folder / "report.json", made.report);
+  }
+  write_sculpture_page(folder, finished, made.report, made.audit);
+  return made;
+}
+
+}  // namespace collage

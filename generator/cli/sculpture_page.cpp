@@ -1,0 +1,230 @@
+#include "cli/sculpture_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "cli/render_outputs.h"
+#include "render/report_page.h"
+
+namespace collage {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = PageColumn::Kind;
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
+
+/// Writes the page's parts for one sculpture.
+class PageWriter {
+ public:
+  PageWriter(const fs::path& folder, const FinishedFolder& finished, const Report& report,
+             const FolderAudit& audit)
+      : folder_(folder),
+        sculpture_(finished.sculpture),
+        scene_(finished.sculpture.options),
+        report_(report),
+        audit_(audit),
+        measures_(audit.measures) {}
+
+  [[nodiscard]] ReportPage page() const {
+    ReportPage page;
+    page.title = scene_.name;
+    page.lede = fmt::format("{} filled with {} of {}, biggest first.",
+                            target_name(), grouped(report_.instances) + " copies", element_names());
+    page.verdict = {audit_.passed() ? PageVerdict::Outcome::passed : PageVerdict::Outcome::failed,
+                    verdict_sentence(audit_)};
+    page.pictures = stills();
+    page.numbers = numbers();
+    page.sections = {measured("What is proved", AuditLine::Group::promise),
+                     likeness(), density(), variety(), elements(), stages(), again()};
+    page.footer = fmt::format("collage {}, seed {}", sculpture_.version, report_.seed);
+    return page;
+  }
+
+ private:
+  [[nodiscard]] std::string target_name() const {
+    return sculpture_.target.path.stem().string();
+  }
+  [[nodiscard]] std::string element_names() const {
+    std::vector<std::string> names;
+    for (const Sculpture::Element& element : sculpture_.elements) {
+      if (std::ranges::find(names, element.name) == names.end()) {
+        names.push_back(element.name);
+      }
+    }
+    constexpr std::size_t most = 4;
+    if (names.size() > most) {
+      return fmt::format("{} shapes", names.size());
+    }
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::vector<PagePicture> stills() const {
+    std::vector<PagePicture> pictures;
+    for (const std::string& view : scene_.render.stills) {
+      const fs::path path = still_path(folder_, still_shot(scene_, view));
+      if (fs::exists(path)) {
+        pictures.push_back({path, fmt::format("{} seen from {}", scene_.name, view), view});
+      }
+    }
+    return pictures;
+  }
+
+  [[nodiscard]] std::vector<PageNumber> numbers() const {
+    std::vector<PageNumber> numbers{{grouped(report_.instances), "copies"},
+                                    {percent(report_.fill), "of the volume filled"}};
+    if (measures_.silhouette_iou) {
+      numbers.push_back({percent(measures_.silhouette_iou->mean), "of the outline kept"});
+    }
+    numbers.push_back({fmt::format("{:.1f} s", report_.seconds.place + report_.seconds.update),
+                       "to place them"});
+    return numbers;
+  }
+
+  /// A table of those lines that belong under one heading.
+  [[nodiscard]] PageSection measured(const char* heading, AuditLine::Group group) const {
+    PageSection section;
+    section.heading = heading;
+    section.tables = {{"", {{"what", Kind::text}, {"found"}}, {}}};
+    for (const AuditLine& line : audit_lines(audit_)) {
+      if (line.group == group) {
+        section.tables[0].rows.push_back({{line.name, line.value}, line.meaning});
+      }
+    }
+    return section;
+  }
+
+  [[nodiscard]] PageSection likeness() const {
+    PageSection section = measured("Is it recognisable?", AuditLine::Group::likeness);
+    if (const auto& surface = measures_.surface_distance) {
+      PlotSeries series{"", PlotSeries::Mark::bars, {0.0}, {}};
+      for (std::size_t i = 0; i < surface->histogram.size(); ++i) {
+        series.x.push_back(100.0 * surface->bin_width * static_cast<double>(i + 1));
+        series.y.push_back(100.0 * static_cast<double>(surface->histogram[i]) /
+                           static_cast<double>(surface->points));
+      }
+      section.plots.push_back({"How far the target's surface is from the nearest copy",
+                               {"distance, % of the longest side"},
+                               {"share of the surface, %"},
+                               {series}});
+    }
+    const fs::path outline = worst_outline_path(folder_);
+    if (fs::exists(outline)) {
+      section.pictures.push_back(
+          {outline, "The outlines of target and sculpture laid over each other",
+           "From where the outlines agree least: dark where both are, red where the sculpture "
+           "is missing"});
+    }
+    return section;
+  }
+
+  [[nodiscard]] PageSection density() const {
+    PageSection section = measured("How full is it?", AuditLine::Group::density);
+    if (const auto& growth = audit_.fill_growth; !growth.empty()) {
+      PlotSeries series{"", PlotSeries::Mark::line, {}, {}};
+      for (const auto& [instances, fill] : growth) {
+        series.x.push_back(static_cast<double>(instances));
+        series.y.push_back(100.0 * fill);
+      }
+      section.plots.push_back({"Fill as copies are added",
+                               {"copies", AxisScale::logarithmic},
+                               {"fill, %"},
+                               {series}});
+    }
+    if (measures_.fill) {
+      PlotSeries series{"", PlotSeries::Mark::bars, {0.0}, {}};
+      for (std::size_t i = 0; i < measures_.fill->by_shell.size(); ++i) {
+        series.x.push_back(10.0 * static_cast<double>(i + 1));
+        series.y.push_back(100.0 * measures_.fill->by_shell[i].share().value_or(0.0));
+      }
+      section.plots.push_back({"Fill from the surface (0 %) to the core (100 %)",
+                               {"depth, % of the greatest depth"},
+                               {"fill, %"},
+                               {series}});
+    }
+    return section;
+  }
+
+  [[nodiscard]] PageSection variety() const {
+    PageSection section = measured("How varied is it?", AuditLine::Group::variety);
+    const Sizes& sizes = measures_.variety.sizes;
+    PlotSeries series{"", PlotSeries::Mark::step, {}, {}};
+    series.x.assign(sizes.edges.begin(), sizes.edges.end());
+    series.y.assign(sizes.counts.begin(), sizes.counts.end());
+    section.plots.push_back({"Sizes of the copies",
+                             {"radius, % of the longest side", AxisScale::logarithmic},
+                             {"copies", AxisScale::logarithmic},
+                             {series}});
+    return section;
+  }
+
+  [[nodiscard]] PageSection elements() const {
+    PageSection section;
+    section.heading = "Elements";
+    PageTable table{"", {{"element", Kind::text}, {"faces"}, {"copies"}, {"faces in all"}}, {}};
+    for (const Report::Element& element : report_.elements) {
+      table.rows.push_back({{element.name, grouped(element.faces), grouped(element.instances),
+                             grouped(element.faces * element.instances)},
+                            ""});
+    }
+    section.tables = {table};
+    return section;
+  }
+
+  [[nodiscard]] PageSection stages() const {
+    PageSection section;
+    for (const char* sheet : {"stages.png", "turntable.png"}) {
+      const fs::path path = folder_ / "sheets" / sheet;
+      if (fs::exists(path)) {
+        section.pictures.push_back({path, "Contact sheet: " + path.stem().string(), ""});
+      }
+    }
+    if (!section.pictures.empty()) {
+      section.heading = "Stages and turntable";
+    }
+    return section;
+  }
+
+  [[nodiscard]] PageSection again() const {
+    PageSection section;
+    section.heading = "Make it again";
+    section.paragraphs = {
+        fmt::format("With collage {}, seed {}. The same scene and seed give the same sculpture, byte "
+                    "for byte, on any machine and any number of threads.",
+                    sculpture_.version, report_.seed)};
+    section.commands = {sculpture_.command, "collage audit FOLDER",
+                        "collage still FOLDER --view 30/15"};
+    PageTable inputs{"Inputs", {{"file", Kind::text}, {"SHA-256", Kind::text}}, {}};
+    inputs.rows.push_back({{sculpture_.target.path.generic_string(), sculpture_.target.sha256}, ""});
+    for (const Sculpture::Element& element : sculpture_.elements) {
+      inputs.rows.push_back({{element.path.generic_string(), element.sha256}, ""});
+    }
+    section.tables = {inputs};
+    return section;
+  }
+
+  const fs::path& folder_;
+  const Sculpture& sculpture_;
+  const Scene& scene_;
+  const Report& report_;
+  const FolderAudit& audit_;
+  const Measures& measures_;
+};
+
+}  // namespace
+
+void write_sculpture_page(const fs::path& folder, const FinishedFolder& finished,
+                          const Report& report, const FolderAudit& audit) {
+  write_file(folder / "report.html",
+             report_html(PageWriter(folder, finished, report, audit).page()));
+}
+
+}  // namespace collage
