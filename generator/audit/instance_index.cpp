@@ -7,6 +7,7 @@
 
 #include "geometry/bounding_sphere.h"
 #include "geometry/box_tree_search.h"
+#include "geometry/boxes.h"
 #include "geometry/shapes_of.h"
 
 namespace collage {
@@ -15,15 +16,6 @@ namespace {
 Solid solid_of(const Mesh& mesh) {
   const Sphere sphere = smallest_enclosing_sphere(mesh.positions);
   return {mesh, sphere.center, sphere.radius};
-}
-
-std::vector<Box> boxes_of(const std::vector<dvec3>& points) {
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const dvec3& point : points) {
-    boxes.push_back({point, point});
-  }
-  return boxes;
 }
 
 /// How far the points of a tree reach along a direction: the largest dot product.
@@ -45,7 +37,8 @@ struct InstanceIndex::Shape {
   Solid solid;
   BoxTree vertices;
 
-  explicit Shape(const Mesh& mesh) : solid(solid_of(mesh)), vertices(boxes_of(mesh.positions)) {}
+  explicit Shape(const Mesh& mesh)
+      : solid(solid_of(mesh)), vertices(boxes_of_points(mesh.positions)) {}
 
   [[nodiscard]] Box world_box(const Instance& instance) const {
     const glm::dmat3 rows = glm::transpose(glm::mat3_cast(instance.rotation)) * instance.scale;
@@ -60,7 +53,10 @@ struct InstanceIndex::Shape {
 
 InstanceIndex::InstanceIndex(std::span<const Mesh* const> elements,
                              std::span<const Instance> instances)
-    : instances_(instances), shapes_(shapes_of<Shape>(elements)), tree_({}) {
+    : elements_(elements.begin(), elements.end()),
+      instances_(instances),
+      shapes_(shapes_of<Shape>(elements)),
+      tree_({}) {
   boxes_.resize(instances.size());
   tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(boxes_.size()),
                     [&](std::uint32_t i) { boxes_[i] = shape(i).world_box(instances[i]); });

@@ -19,9 +19,11 @@ namespace collage {
 class InstanceIndex {
  public:
   /// An instance's `element` is an index into `elements`; the same mesh may stand there more than
-  /// once. Elements have triangles, scales are above 0, and `instances` must outlive the index.
+  /// once. Elements have triangles, scales are above 0; meshes and instances must outlive the
+  /// index.
   InstanceIndex(std::span<const Mesh* const> elements, std::span<const Instance> instances);
 
+  [[nodiscard]] std::span<const Mesh* const> elements() const { return elements_; }
   [[nodiscard]] std::span<const Instance> instances() const { return instances_; }
   /// For each instance the smallest box around its vertices, up to rounding.
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
@@ -47,6 +49,7 @@ class InstanceIndex {
  private:
   struct Shape;
 
+  std::vector<const Mesh*> elements_;
   std::span<const Instance> instances_;
   /// By element.
   std::vector<std::shared_ptr<const Shape>> shapes_;

@@ -1,11 +1,13 @@
 #include "audit/silhouette.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
 
 #include "audit/batches.h"
+#include "geometry/boxes.h"
 #include "geometry/ray_scene.h"
 
 namespace collage {
@@ -88,25 +90,19 @@ std::vector<dvec3> view_directions(int count) {
   return directions;
 }
 
-Silhouette silhouette(const Mesh& target, std::span<const Mesh* const> elements,
-                      std::span<const Instance> instances, std::span<const Box> boxes,
+Silhouette silhouette(const Mesh& target, const InstanceIndex& sculpture,
                       const SilhouetteOptions& options, Status& status) {
-  const Box target_box = bounding_box(target);
-  Box all = target_box;
-  for (const Box& box : boxes) {
-    all.include(box.min);
-    all.include(box.max);
-  }
-  const RayScene target_scene = scene_of(target, target_box);
-  const RayScene sculpture_scene(elements, instances, boxes);
+  const std::array both{bounding_box(target), box_around(sculpture.boxes())};
+  const RayScene target_scene = scene_of(target, both[0]);
+  const RayScene sculpture_scene(sculpture.elements(), sculpture.instances(), sculpture.boxes());
   const std::vector<dvec3> directions = view_directions(options.views);
 
   Silhouette result;
   result.worst = INFINITY;
   double sum = 0.0;
   in_batches(directions.size(), 1, "outlines", status, [&](std::size_t n, std::size_t) {
-    SilhouettePicture picture =
-        draw(target_scene, sculpture_scene, Canvas(all, directions[n]), options.resolution);
+    SilhouettePicture picture = draw(target_scene, sculpture_scene,
+                                     Canvas(box_around(both), directions[n]), options.resolution);
     const double iou = picture.iou();
     result.views.push_back({directions[n], iou});
     sum += iou;

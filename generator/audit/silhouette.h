@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "audit/instance_index.h"
 #include "base/status.h"
-#include "geometry/instance.h"
 #include "geometry/mesh.h"
 
 namespace collage {
@@ -52,10 +51,9 @@ std::vector<dvec3> view_directions(int count);
 /// are just as large as the box of target and sculpture together looks from there. What sticks out
 /// counts against the sculpture as what is missing does. With n pixels inside, a pixel centre more
 /// or less along the outline moves an iou by about 1 / √n.
-/// `boxes` has a box for each instance that holds it. Runs on all threads; throws Interrupted.
+/// Runs on all threads; throws Interrupted.
 /// Cost: two rays a pixel, some seconds altogether.
-Silhouette silhouette(const Mesh& target, std::span<const Mesh* const> elements,
-                      std::span<const Instance> instances, std::span<const Box> boxes,
+Silhouette silhouette(const Mesh& target, const InstanceIndex& sculpture,
                       const SilhouetteOptions& options, Status& status);
 
 }  // namespace collage

@@ -7,12 +7,6 @@
 
 namespace collage {
 
-/// Squared distance from a point to a box; 0 within it.
-inline double squared_distance(const Box& box, const dvec3& point) {
-  const dvec3 away = glm::max(glm::max(box.min - point, point - box.max), dvec3(0.0));
-  return glm::dot(away, away);
-}
-
 /// Branch and bound: finds the leaf of least cost without looking at most of the others.
 /// `bound(box)` is no more than the cost of anything in the box. `visit(leaf)` is called for a leaf
 /// whose bound is below the limit, and gives the new limit, which must not rise. Of two children

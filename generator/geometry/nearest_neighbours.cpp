@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "geometry/box_tree_search.h"
+#include "geometry/boxes.h"
 
 namespace collage {
 namespace {
@@ -32,12 +33,7 @@ std::uint32_t nearest_neighbour(const BoxTree& tree, const dvec3& point, std::ui
 
 std::vector<std::uint32_t> nearest_neighbours(std::span<const dvec3> points) {
   assert(points.size() > 1);
-  std::vector<Box> boxes;
-  boxes.reserve(points.size());
-  for (const dvec3& point : points) {
-    boxes.push_back({point, point});
-  }
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes_of_points(points));
   std::vector<std::uint32_t> nearest(points.size());
   tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(points.size()),
                     [&](std::uint32_t i) { nearest[i] = nearest_neighbour(tree, points[i], i); });

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "geometry/bounding_sphere.h"
+#include "geometry/boxes.h"
 #include "geometry/embree_scene.h"
 #include "geometry/shapes_of.h"
 #include "geometry/solid.h"
@@ -47,11 +48,7 @@ struct RayShape {
 };
 
 Sphere ball_around(std::span<const Box> boxes) {
-  Box all;
-  for (const Box& box : boxes) {
-    all.include(box.min);
-    all.include(box.max);
-  }
+  const Box all = box_around(boxes);
   return {all.center(), 0.5 * glm::length(all.extent())};
 }
 

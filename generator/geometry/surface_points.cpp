@@ -5,20 +5,15 @@
 
 #include "base/rng.h"
 #include "geometry/box_tree.h"
+#include "geometry/boxes.h"
 
 namespace collage {
 namespace {
 
 /// The triangles in the order of a hierarchy's leaves, which keeps neighbours together.
 std::vector<std::uint32_t> row_of_triangles(const Mesh& mesh) {
-  std::vector<Box> boxes(mesh.triangles.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      boxes[t].include(mesh.corner(t, k));
-    }
-  }
   std::vector<std::uint32_t> row;
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes_of_triangles(mesh));
   for (const BoxTree::Node& node : tree.nodes()) {
     if (node.is_leaf()) {
       row.push_back(node.item);
@@ -33,11 +28,14 @@ dvec3 area_vector(const Mesh& mesh, std::uint32_t triangle) {
   return glm::cross(mesh.corner(triangle, 1) - a, mesh.corner(triangle, 2) - a);
 }
 
-/// Uniform over the triangle (Osada, Funkhouser, Chazelle and Dobkin 2002, "Shape distributions",
-/// eq. 1).
-dvec3 random_point(const Mesh& mesh, std::uint32_t triangle, Rng& rng) {
-  const double root = std::sqrt(rng.uniform());
-  const double across = rng.uniform();
+/// Points one after the other fill a triangle evenly: the R2 sequence (Roberts 2018, "The
+/// unreasonable effectiveness of quasirandom sequences") in the unit square, which Osada,
+/// Funkhouser, Chazelle and Dobkin 2002 ("Shape distributions", eq. 1) map to the triangle.
+dvec3 point_of_sequence(const Mesh& mesh, std::uint32_t triangle, std::size_t i) {
+  constexpr double plastic = 1.32471795724474602596;
+  const auto n = static_cast<double>(i);
+  const double root = std::sqrt(glm::fract(n / plastic));
+  const double across = glm::fract(n / (plastic * plastic));
   return (1.0 - root) * mesh.corner(triangle, 0) +
          root * (1.0 - across) * mesh.corner(triangle, 1) +
          root * across * mesh.corner(triangle, 2);
@@ -62,7 +60,7 @@ std::vector<SurfacePoint> spread_over_surface(const Mesh& mesh, std::size_t coun
     const auto place = std::lower_bound(area_up_to.begin(), area_up_to.end(), at);
     const std::uint32_t triangle = row[static_cast<std::size_t>(place - area_up_to.begin())];
     points.push_back(
-        {random_point(mesh, triangle, rng), glm::normalize(area_vector(mesh, triangle))});
+        {point_of_sequence(mesh, triangle, i), glm::normalize(area_vector(mesh, triangle))});
   }
   return points;
 }

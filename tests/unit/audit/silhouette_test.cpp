@@ -14,12 +14,8 @@ using Pixel = SilhouettePicture::Pixel;
 Silhouette look(const Mesh& target, const Mesh& element, const Instance& instance,
                 const SilhouetteOptions& options = {}) {
   const std::vector<const Mesh*> elements{&element};
-  Box box;
-  for (const dvec3& position : element.positions) {
-    box.include(instance.world_from_element(position));
-  }
   Status status;
-  return silhouette(target, elements, {&instance, 1}, {&box, 1}, options, status);
+  return silhouette(target, InstanceIndex(elements, {&instance, 1}), options, status);
 }
 
 TEST(Silhouette, OfABallInABallIsTheRatioOfTheirDiscs) {
@@ -85,7 +81,7 @@ TEST(Silhouette, PictureShowsTheWorstViewUprightAndSaysWhatIsWhere) {
 TEST(Silhouette, WithoutInstancesIsNothing) {
   const Mesh target = test::box_mesh(dvec3(-1), dvec3(1));
   Status status;
-  EXPECT_EQ(silhouette(target, {}, {}, {}, {}, status).mean, 0.0);
+  EXPECT_EQ(silhouette(target, InstanceIndex({}, {}), {}, status).mean, 0.0);
 }
 
 TEST(ViewDirections, AreUnitVectorsAboveTheGroundAndEvenlySpread) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/boxes.h"
 #include "support/meshes.h"
 
 namespace collage {
@@ -30,13 +31,6 @@ std::pair<double, int> search(const BoxTree& tree, const dvec3& point, double li
     return best;
   });
   return {best, visits};
-}
-
-TEST(SquaredDistance, ToABoxIsZeroWithinIt) {
-  const Box box{dvec3(0), dvec3(1, 2, 3)};
-  EXPECT_EQ(squared_distance(box, {0.5, 2.0, 0.1}), 0.0);
-  EXPECT_EQ(squared_distance(box, {0.5, 4.0, 0.1}), 4.0);
-  EXPECT_EQ(squared_distance(box, {-1.0, 4.0, 6.0}), 14.0);
 }
 
 TEST(VisitLowestFirst, FindsTheLeastOfAllAndLooksAtFew) {
