@@ -19,12 +19,11 @@ namespace collage {
 class InstanceIndex {
  public:
   /// An instance's `element` is an index into `elements`; the same mesh may stand there more than
-  /// once. Elements have triangles, scales are above 0, and `instances` must outlive the index.
+  /// once. Elements have triangles, scales are above 0; meshes and instances must outlive the
+  /// index.
   InstanceIndex(std::span<const Mesh* const> elements, std::span<const Instance> instances);
-  ~InstanceIndex();
-  InstanceIndex(InstanceIndex&&) noexcept;
-  InstanceIndex& operator=(InstanceIndex&&) noexcept;
 
+  [[nodiscard]] std::span<const Mesh* const> elements() const { return elements_; }
   [[nodiscard]] std::span<const Instance> instances() const { return instances_; }
   /// For each instance the smallest box around its vertices, up to rounding.
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
@@ -50,16 +49,15 @@ class InstanceIndex {
  private:
   struct Shape;
 
+  std::vector<const Mesh*> elements_;
   std::span<const Instance> instances_;
-  std::vector<std::unique_ptr<const Shape>> shapes_;
-  /// For each element an index into `shapes_`.
-  std::vector<std::uint32_t> shape_of_element_;
+  /// By element.
+  std::vector<std::shared_ptr<const Shape>> shapes_;
   std::vector<Box> boxes_;
   BoxTree tree_;
 
   [[nodiscard]] const Shape& shape(std::uint32_t instance) const;
   [[nodiscard]] dvec3 unit_from_world(std::uint32_t instance, const dvec3& point) const;
-  void look_at(std::uint32_t instance, const dvec3& point, Nearest& best, bool& found) const;
 };
 
 }  // namespace collage

@@ -1,24 +1,12 @@
 #include "geometry/closest_point.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <cmath>
 #include <limits>
-#include <new>
+
+#include "geometry/embree_scene.h"
 
 namespace collage {
 namespace {
-
-/// One device for the process. Hierarchies are built on one thread, so that they, and with them the
-/// choice between equally near triangles, do not depend on the number of threads.
-RTCDevice device() {
-  static const RTCDevice instance = rtcNewDevice("threads=1,set_affinity=0");
-  return instance;
-}
 
 struct Search {
   const Mesh* mesh;
@@ -99,33 +87,13 @@ struct ClosestPointIndex::Hierarchy {
   /// Only positions and triangles.
   Mesh mesh;
   Surface surface;
-  RTCScene scene;
+  EmbreeScene scene;
 
-  Hierarchy(const Mesh& source, Surface what) : surface(what), scene(rtcNewScene(device())) {
+  Hierarchy(const Mesh& source, Surface what)
+      : surface(what), scene(embree_triangles(source), RTC_SCENE_FLAG_NONE) {
     mesh.positions = source.positions;
     mesh.triangles = source.triangles;
-    const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<glm::vec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(glm::vec3), mesh.positions.size()));
-    auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                                                RTC_FORMAT_UINT3, sizeof(uvec3),
-                                                                mesh.triangles.size()));
-    if ((vertices == nullptr && !mesh.positions.empty()) ||
-        (indices == nullptr && !mesh.triangles.empty())) {
-      throw std::bad_alloc();
-    }
-    std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(scene);
   }
-  ~Hierarchy() { rtcReleaseScene(scene); }
-  Hierarchy(const Hierarchy&) = delete;
-  Hierarchy& operator=(const Hierarchy&) = delete;
 };
 
 ClosestPointIndex::ClosestPointIndex(const Mesh& mesh, Surface surface)
@@ -140,7 +108,7 @@ std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double m
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   Search search{&hierarchy_->mesh, hierarchy_->surface, query, {{}, max_distance, 0}};
-  rtcPointQuery(hierarchy_->scene, &sphere, &context, visit_triangle, &search);
+  rtcPointQuery(hierarchy_->scene.get(), &sphere, &context, visit_triangle, &search);
   if (search.best.distance >= max_distance) {
     return std::nullopt;
   }

@@ -1,0 +1,51 @@
+#include "geometry/embree_scene.h"
+
+#include <algorithm>
+#include <new>
+
+namespace collage {
+
+RTCDevice embree_device() {
+  static const RTCDevice instance = rtcNewDevice("threads=1,set_affinity=0");
+  return instance;
+}
+
+EmbreeScene::EmbreeScene(RTCGeometry geometry, RTCSceneFlags flags)
+    : scene_(rtcNewScene(embree_device())) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcSetSceneFlags(scene_, flags);
+  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+  rtcCommitScene(scene_);
+}
+
+bool EmbreeScene::occluded(RTCRay ray) const {
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded1(scene_, &ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene_, &context, &ray);
+#endif
+  return ray.tfar < 0.0F;
+}
+
+RTCGeometry embree_triangles(const Mesh& mesh) {
+  const RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<glm::vec3*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              sizeof(glm::vec3), mesh.positions.size()));
+  auto* indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), mesh.triangles.size()));
+  if ((vertices == nullptr && !mesh.positions.empty()) ||
+      (indices == nullptr && !mesh.triangles.empty())) {
+    rtcReleaseGeometry(geometry);
+    throw std::bad_alloc();
+  }
+  std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+  return geometry;
+}
+
+}  // namespace collage
