@@ -9,7 +9,7 @@
 namespace collage {
 namespace {
 
-constexpr double letter_width = 7.7;  // of a digit in a wide font
+constexpr double letter_width = 8.0;  // in a wide font
 constexpr std::size_t longest_label = 48;
 
 bool is_continued(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }
