@@ -1,13 +1,13 @@
 #include "render/golden_report.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/file.h"
 #include "base/text.h"
+#include "render/html_text.h"
 
 namespace collage {
 namespace {
@@ -43,39 +43,9 @@ code { background: color-mix(in srgb, var(--quiet) 15%, transparent); padding: .
 <body>
 )";
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
-/// A path as a relative link; whatever has a meaning in a URL is written as %xx.
 std::string link(const fs::path& path, const fs::path& page) {
   const fs::path folder = fs::absolute(page).parent_path();
-  std::string url;
-  for (const char c : fs::absolute(path).lexically_relative(folder).generic_string()) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                          std::string_view("/._-~").find(c) != std::string_view::npos;
-    url += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return url;
+  return url_path(fs::absolute(path).lexically_relative(folder).generic_string());
 }
 
 bool passes(const GoldenRow& row) {
@@ -108,8 +78,8 @@ std::string section(const GoldenRow& row, const fs::path& page) {
   const std::string& reason = row.comparison ? row.comparison->reason : row.problem;
   std::string text =
       fmt::format("<section class=\"{}\">\n<h2>{} <span>{}</span></h2>\n<div>{}</div>\n",
-                  passes(row) ? "passed" : "failed", escaped(row.name),
-                  passes(row) ? "passes" : "fails", escaped(reason));
+                  passes(row) ? "passed" : "failed", html_text(row.name),
+                  passes(row) ? "passes" : "fails", html_text(reason));
   if (row.comparison && row.comparison->numbers && row.comparison->verdict != Verdict::same) {
     text += fmt::format("<div class=\"quiet\">{}</div>\n", numbers_text(*row.comparison->numbers));
   }
@@ -133,7 +103,7 @@ void write_golden_report(const std::vector<GoldenRow>& rows, const std::string& 
     page += fmt::format(
         " Look at the new pictures; if they are right, make them the references with "
         "<code>{}</code>",
-        escaped(update_command));
+        html_text(update_command));
   }
   page += "</p>\n";
   for (const GoldenRow& row : sorted) {

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 const char* const key_name = "collage:key";
 
-OIIO::ImageSpec spec_of(const Picture& picture) {
-  const bool is_exr = picture.format == PictureFormat::exr;
+OIIO::ImageSpec spec_of(const Picture& picture, const fs::path& extension) {
+  const bool is_exr = extension == ".exr";
   OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
                        is_exr ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", is_exr ? "Linear" : "sRGB");
@@ -28,22 +28,11 @@ OIIO::ImageSpec spec_of(const Picture& picture) {
   if (!picture.key.empty()) {
     spec.attribute(key_name, picture.key);
   }
-  return spec;
-}
-
-std::string encoded(const fs::path& path, const Picture& picture) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::string type = "picture" + extension(picture.format);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(type, &memory);
-  const bool is_written = output && output->open(type, spec_of(picture)) &&
-                          output->write_image(OIIO::TypeDesc::FLOAT, picture.values.data()) &&
-                          output->close();
-  if (!is_written) {
-    throw Error({path}, "cannot be written: " + (output ? output->geterror() : OIIO::geterror()),
-                "choose .png or .exr and a smaller picture");
+  if (extension == ".jpg") {
+    spec.attribute("Compression", "jpeg:90");
+    spec.attribute("jpeg:subsampling", "4:4:4");
   }
-  return {bytes.begin(), bytes.end()};
+  return spec;
 }
 
 /// A PNG without its last chunk was cut short. libpng would say so on stderr.
@@ -86,12 +75,27 @@ Picture read_picture(const fs::path& path) {
   return picture;
 }
 
+std::string picture_bytes(const fs::path& path, const Picture& picture) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::string type = "picture" + path.extension().string();
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(type, &memory);
+  const bool is_made = output && output->open(type, spec_of(picture, path.extension())) &&
+                       output->write_image(OIIO::TypeDesc::FLOAT, picture.values.data()) &&
+                       output->close();
+  if (!is_made) {
+    throw Error({path}, "cannot be written: " + (output ? output->geterror() : OIIO::geterror()),
+                "choose .png or .exr and a smaller picture");
+  }
+  return {bytes.begin(), bytes.end()};
+}
+
 void write_picture(const fs::path& path, const Picture& picture) {
   if (path.extension() != extension(picture.format)) {
     throw Error({path}, "is not the name of such a picture",
                 "let it end in " + extension(picture.format));
   }
-  const std::string bytes = encoded(path, picture);
+  const std::string bytes = picture_bytes(path, picture);
   const Scratch scratch(path.has_parent_path() ? path.parent_path() : fs::path("."));
   write_file(scratch.path(".part"), bytes);
   move_into_place(scratch.path(".part"), path);
