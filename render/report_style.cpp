@@ -82,9 +82,10 @@ pre code::before { content: "$ "; color: var(--quiet); }
 footer { margin-top: 3rem; padding-top: 1rem; border-top: 1px solid var(--line); }
 @page { margin: 16mm 15mm 18mm; }
 @media print {
-  :root { --page: #fff; --ink: #000; --quiet: #555; --line: #ccc; --shade: #f4f4f4; font-size: 9.5pt; }
+  :root { --page: #fff; --ink: #000; --quiet: #555; --line: #d8d8d8; --shade: #f4f4f4; font-size: 9.5pt; }
   body { max-width: none; padding: 0; }
-  section { margin-top: 1.8rem; }
+  section { margin-top: 1.4rem; padding-top: 1.1rem; }
+  .content > * + * { margin-top: 1.3rem; }
   section:not(.wide) { grid-template-columns: 30mm minmax(0, 1fr); column-gap: 7mm; }
   .hero { margin-top: 1.5rem; }
   .hero img { width: auto; max-width: 100%; max-height: 115mm; }
@@ -97,7 +98,7 @@ footer { margin-top: 3rem; padding-top: 1rem; border-top: 1px solid var(--line);
   tbody th { min-width: 0; overflow-wrap: anywhere; }
   h2, h3, caption, thead, .content > p { break-after: avoid; }
   figure, tr, .card, .numbers, .verdict, pre, li { break-inside: avoid; }
-  footer { margin-top: 1.8rem; break-before: avoid; }
+  footer { margin-top: 1.2rem; padding-top: .6rem; break-before: avoid; }
 }
 )";
 }
