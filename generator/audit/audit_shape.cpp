@@ -6,18 +6,10 @@
 #include <map>
 #include <tuple>
 
+#include "geometry/boxes.h"
+
 namespace collage {
 namespace {
-
-std::vector<Box> triangle_boxes(const Mesh& mesh) {
-  std::vector<Box> boxes(mesh.triangles.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      boxes[t].include(mesh.corner(t, k));
-    }
-  }
-  return boxes;
-}
 
 /// Sets of vertices, by union-find with halving of paths.
 class Sets {
@@ -103,7 +95,7 @@ Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t 
 
 AuditShape::AuditShape(const Mesh& mesh)
     : mesh_(mesh),
-      tree_(triangle_boxes(mesh)),
+      tree_(boxes_of_triangles(mesh)),
       winding_number_(mesh),
       part_points_(points_of_parts(mesh)) {}
 

@@ -19,13 +19,24 @@ constexpr double most_cells = 2e7;
 /// Rows of the grid between two looks at the clock.
 constexpr std::size_t batch = 200;
 
-double volume(const InstanceIndex& sculpture) {
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < sculpture.instances().size(); ++i) {
+/// Steps of the growth are at least this far apart, as a factor.
+constexpr double step_factor = 1.1;
+
+/// The last step is the whole; none where there are no instances.
+std::vector<Fill::Step> growth(const InstanceIndex& sculpture, double target_volume) {
+  std::vector<Fill::Step> steps;
+  const auto count = static_cast<std::uint32_t>(sculpture.instances().size());
+  double volume = 0.0;
+  for (std::uint32_t i = 0; i < count; ++i) {
     const double scale = sculpture.instances()[i].scale;
-    sum += sculpture.solid(i).volume() * scale * scale * scale;
+    volume += sculpture.solid(i).volume() * scale * scale * scale;
+    const double next =
+        steps.empty() ? 1.0 : step_factor * static_cast<double>(steps.back().instances);
+    if (i + 1 == count || i + 1 >= next) {
+      steps.push_back({i + 1, volume / target_volume});
+    }
   }
-  return sum;
+  return steps;
 }
 
 struct Point {
@@ -124,7 +135,8 @@ std::optional<Fill> fill(const TargetShape& target, const InstanceIndex& sculptu
     greatest_depth = std::max(greatest_depth, point.depth);
   }
   Fill result;
-  result.by_volume = volume(sculpture) / target.solid.volume();
+  result.growth = growth(sculpture, target.solid.volume());
+  result.by_volume = result.growth.empty() ? 0.0 : result.growth.back().by_volume;
   result.greatest_depth = greatest_depth / target.side;
   const auto shells = static_cast<double>(result.by_shell.size());
   for (const Point& point : points) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "audit/instance_index.h"
 #include "audit/target_shape.h"
@@ -27,6 +28,14 @@ struct Fill {
     [[nodiscard]] std::optional<double> deviation() const;
   };
   Sample by_points;
+
+  /// How it grew: after so many instances in the order of placement the fill by volume was so much.
+  /// Rising, some hundred steps at most, evenly spread on a scale of logarithms.
+  struct Step {
+    std::uint64_t instances = 0;
+    double by_volume = 0.0;
+  };
+  std::vector<Step> growth;
 
   /// By depth below the surface, in tenths of `greatest_depth`, the outermost first. A point's
   /// depth is its distance to the nearest triangle of the target.

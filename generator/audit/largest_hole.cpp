@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/error.h"
-#include "base/text.h"
+#include "geometry/topology.h"
 
 namespace collage {
 namespace {
@@ -21,15 +21,17 @@ constexpr std::size_t batch = 1 << 16;
 
 class Search {
  public:
-  Search(const Solid& target, const Box& box, const InstanceIndex& index, Surfaces surfaces,
-         Status& status)
-      : target_(target),
-        index_(index),
+  Search(const TargetShape& target, const InstanceIndex& sculpture, Status& status)
+      : target_(target.solid),
+        sculpture_(sculpture),
         status_(status),
-        closed_(surfaces == Surfaces::closed),
-        smallest_(smallest_fraction * box.longest_side()) {
+        closed_(is_closed(target.mesh) &&
+                std::ranges::all_of(sculpture.elements(),
+                                    [](const Mesh* mesh) { return is_closed(*mesh); })),
+        smallest_(smallest_fraction * target.side) {
     best_.proven = closed_;
-    const double side = box.longest_side() / first_cubes_per_side;
+    const Box& box = target.box;
+    const double side = target.side / first_cubes_per_side;
     const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(box.extent() / side)), glm::ivec3(1));
     for (int z = 0; z < count.z; ++z) {
       for (int y = 0; y < count.y; ++y) {
@@ -68,7 +70,7 @@ class Search {
     const auto wall = target_.surface().find(unit, std::numeric_limits<double>::infinity());
     Clearance result{wall->distance * target_.radius(),
                      ClosestPointIndex::error(unit) * target_.radius()};
-    if (const auto nearest = index_.nearest(point, result.distance)) {
+    if (const auto nearest = sculpture_.nearest(point, result.distance)) {
       result.distance = nearest->distance;
       result.error = std::max(result.error, nearest->error);
     }
@@ -76,7 +78,7 @@ class Search {
   }
   [[nodiscard]] State state(const dvec3& point) const {
     const bool inside = target_.inside(target_.unit_from_mesh(point));
-    return inside && !index_.holder(point) ? State::free : State::taken;
+    return inside && !sculpture_.holder(point) ? State::free : State::taken;
   }
 
   /// Takes over the free points that are better than the best, then climbs from there.
@@ -177,7 +179,7 @@ class Search {
   }
 
   const Solid& target_;
-  const InstanceIndex& index_;
+  const InstanceIndex& sculpture_;
   Status& status_;
   bool closed_;
   double smallest_;
@@ -188,9 +190,9 @@ class Search {
 
 }  // namespace
 
-LargestHole find_largest_hole(const Solid& target, const Box& box, const InstanceIndex& index,
-                              Surfaces surfaces, Status& status) {
-  return Search(target, box, index, surfaces, status).run();
+LargestHole find_largest_hole(const TargetShape& target, const InstanceIndex& sculpture,
+                              Status& status) {
+  return Search(target, sculpture, status).run();
 }
 
 }  // namespace collage

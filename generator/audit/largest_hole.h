@@ -1,8 +1,8 @@
 #pragma once
 
 #include "audit/instance_index.h"
+#include "audit/target_shape.h"
 #include "base/status.h"
-#include "geometry/solid.h"
 
 namespace collage {
 
@@ -20,18 +20,14 @@ struct LargestHole {
   bool proven = true;
 };
 
-/// Whether each edge of the target and of all elements is run as often one way as the other, so
-/// that winding numbers are whole and change only across a surface.
-enum class Surfaces { closed, open };
-
 /// By branch and bound over cubes: the clearance changes by no more than the way one goes
 /// (Lipschitz constant 1), so a cube with clearance d in its middle and half diagonal h holds no
 /// clearance over d + h; one whose middle is taken, none over h - d. Cubes that may hold more than
 /// 1 % above the best found are cut in eight. Holes below 1/1,000 of the target's longest side are
 /// not looked for.
-/// `box` is the target's. Runs on all threads; the result does not depend on their number. Throws
+/// Runs on all threads; the result does not depend on their number. Throws
 /// Interrupted. Cost: some ten to fifty distances for each hole of about that size.
-LargestHole find_largest_hole(const Solid& target, const Box& box, const InstanceIndex& index,
-                              Surfaces surfaces, Status& status);
+LargestHole find_largest_hole(const TargetShape& target, const InstanceIndex& sculpture,
+                              Status& status);
 
 }  // namespace collage

@@ -56,7 +56,8 @@ Measures measure(const MeasureInput& input, Status& status) {
   Part outlines(status, 0.0, 0.5);
   Part distances(status, 0.5, 0.55);
   Part filling(status, 0.55, 0.6);
-  Part touching(status, 0.6, 1.0);
+  Part holes(status, 0.6, 0.8);
+  Part touching(status, 0.8, 1.0);
   if (input.target != nullptr) {
     const TargetShape target(*input.target);
     side = side > 0.0 ? side : target.side;
@@ -64,7 +65,9 @@ Measures measure(const MeasureInput& input, Status& status) {
     result.surface_distance =
         surface_distance(target, sculpture, input.surface_distance, distances);
     result.fill = fill(target, sculpture, input.fill, filling);
+    result.largest_hole = find_largest_hole(target, sculpture, holes);
   }
+  result.target_side = side;
   if (side > 0.0) {
     result.contacts = contacts(sculpture, input.gap * side, touching);
   }

@@ -7,6 +7,7 @@
 #include "audit/contacts.h"
 #include "audit/fill.h"
 #include "audit/kinds.h"
+#include "audit/largest_hole.h"
 #include "audit/orientations.h"
 #include "audit/silhouette.h"
 #include "audit/sizes.h"
@@ -21,9 +22,12 @@ namespace collage {
 /// how full. Whatever cannot be told of it is nothing: what needs the target's mesh where that is
 /// not one, and what needs instances where there are none.
 struct Measures {
+  /// Longest side of the target's box; 0 where it is not known.
+  double target_side = 0.0;
   std::optional<Silhouette> silhouette_iou;
   std::optional<SurfaceDistance> surface_distance;
   std::optional<Fill> fill;
+  std::optional<LargestHole> largest_hole;
   std::optional<Contacts> contacts;
   /// Of the instances' enclosing spheres, their radii in world units.
   std::optional<Sizes> sizes;

@@ -6,15 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/boxes.h"
 #include "geometry/closest_point.h"
 
 namespace collage {
 namespace {
-
-double squared_distance(const dvec3& point, const Box& box) {
-  const dvec3 beyond = glm::max(glm::max(box.min - point, point - box.max), dvec3(0.0));
-  return glm::dot(beyond, beyond);
-}
 
 double distance_to_surface(const AuditShape& shape, const dvec3& point) {
   double best = std::numeric_limits<double>::infinity();
@@ -24,7 +20,7 @@ double distance_to_surface(const AuditShape& shape, const dvec3& point) {
   while (depth > 0) {
     const std::uint32_t index = stack[--depth];
     const BoxTree::Node& node = shape.tree().nodes()[index];
-    if (squared_distance(point, node.box) >= best * best) {
+    if (squared_distance(node.box, point) >= best * best) {
       continue;
     }
     if (node.is_leaf()) {
@@ -82,7 +78,7 @@ class Intruder {
 
  private:
   void try_point(const dvec3& point) {
-    if (squared_distance(point, host_.box()) > 0.0 || !host_.holds(point)) {
+    if (squared_distance(host_.box(), point) > 0.0 || !host_.holds(point)) {
       return;
     }
     depth_ = std::max(depth_, distance_to_surface(host_, point));

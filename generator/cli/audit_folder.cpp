@@ -90,7 +90,7 @@ FolderAudit::StillFits still_fits(const FinishedFolder& finished, const Measures
     return StillFits::undecided;
   }
   const Scene& scene = finished.sculpture.options;
-  const double side = measures.side;
+  const double side = measures.target_side;
   double needed = scene.packing.threshold * side;
   if (scene.packing.scaling == Scaling::fixed) {
     double smallest = std::numeric_limits<double>::infinity();
@@ -128,7 +128,11 @@ FolderAudit audit_folder(const fs::path& folder, const FinishedFolder& finished,
     result.scene_difference = scene_difference(folder, finished);
   }
   const Stage stage(status, "measuring");
-  result.measures = measure({input.target, input.elements, input.instances}, status);
+  MeasureInput measured;
+  measured.target = input.target;
+  measured.elements = input.elements;
+  measured.instances = input.instances;
+  result.measures = measure(measured, status);
   result.still_fits = still_fits(finished, result.measures);
   return result;
 }

@@ -75,7 +75,7 @@ void add_promises(JsonObject& json, const FolderAudit& result) {
 void add_hole(JsonObject& json, const FolderAudit& result) {
   const Measures& measures = result.measures;
   const auto& hole = measures.largest_hole;
-  const double side = measures.side;
+  const double side = measures.target_side;
   json.add("largest_hole", hole, [&](const LargestHole& h) { return h.radius / side; });
   json.add("largest_hole_bound", hole, [&](const LargestHole& h) { return h.bound / side; });
   json.add("largest_hole_proven", hole, [](const LargestHole& h) { return h.proven; });
@@ -92,8 +92,8 @@ void add_likeness(JsonObject& json, const Measures& measures) {
                        number_text(s.worst), vector_json(s.worst_direction));
   });
   json.add("surface_distance", measures.surface_distance, [](const SurfaceDistance& s) {
-    return fmt::format(R"({{"mean": {}, "p95": {}, "share_within_0.02": {}}})",
-                       number_text(s.mean), number_text(s.p95), number_text(s.share_within));
+    return fmt::format(R"({{"mean": {}, "p95": {}, "share_within_0.02": {}}})", number_text(s.mean),
+                       number_text(s.p95), number_text(s.share_within));
   });
 }
 

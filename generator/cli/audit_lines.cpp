@@ -63,9 +63,10 @@ void append_promises(std::vector<AuditLine>& lines, const FolderAudit& result) {
                    "Copies whose surface meets the target's or a part of which is outside of it."});
   lines.push_back({Group::promise, "deformed", instances_text(audit.deformed),
                    "Copies that are not turned, moved and evenly scaled by an allowed factor."});
-  lines.push_back({Group::promise, "scene.pov agrees",
-                   result.scene_difference.empty() ? "yes" : result.scene_difference,
-                   "The rendered scene, read back, has the meshes and matrices of sculpture.json."});
+  lines.push_back(
+      {Group::promise, "scene.pov agrees",
+       result.scene_difference.empty() ? "yes" : result.scene_difference,
+       "The rendered scene, read back, has the meshes and matrices of sculpture.json."});
 }
 
 void append_likeness(std::vector<AuditLine>& lines, const Measures& measures) {
@@ -73,13 +74,15 @@ void append_likeness(std::vector<AuditLine>& lines, const Measures& measures) {
     lines.push_back({Group::likeness, "silhouette IoU, mean", number(measures.silhouette_iou->mean),
                      "Intersection over union of the outlines of target and sculpture, mean of 42 "
                      "directions."});
-    lines.push_back({Group::likeness, "silhouette IoU, worst", number(measures.silhouette_iou->worst),
+    lines.push_back({Group::likeness, "silhouette IoU, worst",
+                     number(measures.silhouette_iou->worst),
                      "The same from the direction where the outlines agree least."});
   }
   if (measures.surface_distance) {
     const SurfaceDistance& surface = *measures.surface_distance;
-    lines.push_back({Group::likeness, "surface distance, mean", percent(surface.mean),
-                     "From the target's surface to the nearest copy, in parts of the longest side."});
+    lines.push_back(
+        {Group::likeness, "surface distance, mean", percent(surface.mean),
+         "From the target's surface to the nearest copy, in parts of the longest side."});
     lines.push_back({Group::likeness, "surface distance, 95 %", percent(surface.p95),
                      "95 % of the target's surface has a copy as near as this, or nearer."});
     lines.push_back({Group::likeness, "surface covered", percent(surface.share_within),
@@ -97,7 +100,8 @@ void append_density(std::vector<AuditLine>& lines, const FolderAudit& result) {
                      "Share of points spread over the target that lie in a copy."});
   }
   if (measures.largest_hole) {
-    lines.push_back({Group::density, "largest hole", hole_text(*measures.largest_hole, measures.side),
+    lines.push_back({Group::density, "largest hole",
+                     hole_text(*measures.largest_hole, measures.target_side),
                      "Radius of the largest free ball anywhere, in parts of the longest side: one "
                      "that was found, and a bound that none exceeds."});
     lines.push_back({Group::density, "an element still fits", word(result.still_fits),
@@ -164,8 +168,7 @@ std::string verdict_sentence(const FolderAudit& result) {
 }
 
 std::string audit_text(const FolderAudit& result) {
-  std::string text =
-      fmt::format("{:26}{}\n", "audit", result.passed() ? "passed" : "FAILED");
+  std::string text = fmt::format("{:26}{}\n", "audit", result.passed() ? "passed" : "FAILED");
   for (const AuditLine& line : audit_lines(result)) {
     text += fmt::format("  {:24}{}\n", line.name, line.value);
   }

@@ -44,7 +44,8 @@ std::optional<Report> pack_as_in_thesis(const fs::path& scene_folder, const fs::
   if (!fs::exists(file)) {
     return std::nullopt;
   }
-  const Report report = pack_scene(read_scene(file), "collage pack " + file.string(), folder, status);
+  const Report report =
+      pack_scene(read_scene(file), "collage pack " + file.string(), folder, status);
   require_passed(audit_and_note(folder, read_finished_folder(folder, status), status), folder);
   return report;
 }
@@ -87,11 +88,17 @@ PageTable thesis_table(const std::vector<GalleryPiece>& pieces) {
   using Kind = PageColumn::Kind;
   PageTable table;
   table.caption = "Muhm 2011, Tables I and II, beside ours";
-  table.columns = {{"sculpture", Kind::text}, {"voxels, thesis", Kind::text}, {"ours", Kind::text},
-                   {"elements, thesis"},      {"ours"},
-                   {"faces, thesis"},         {"ours"},
-                   {"seconds, thesis"},       {"ours"},
-                   {"times faster"},          {"filled %, thesis"},
+  table.columns = {{"sculpture", Kind::text},
+                   {"voxels, thesis", Kind::text},
+                   {"ours", Kind::text},
+                   {"elements, thesis"},
+                   {"ours"},
+                   {"faces, thesis"},
+                   {"ours"},
+                   {"seconds, thesis"},
+                   {"ours"},
+                   {"times faster"},
+                   {"filled %, thesis"},
                    {"ours"}};
   for (const ThesisSculpture& thesis : thesis_sculptures()) {
     const GalleryPiece* piece = find_piece(pieces, thesis.scene);
@@ -101,16 +108,14 @@ PageTable thesis_table(const std::vector<GalleryPiece>& pieces) {
     const Report& ours = piece->as_in_thesis.value_or(piece->made.report);
     const double seconds = assembly_seconds(ours);
     const double thesis_seconds = 60.0 * thesis.minutes.value_or(0.0);
-    table.rows.push_back({{std::string(thesis.scene), voxels_text(thesis.voxels),
-                           voxels_text(ours.voxels),
-                           thesis.elements ? grouped(static_cast<std::uint64_t>(*thesis.elements)) : "–",
-                           grouped(ours.instances), std::string(thesis.faces), faces_text(ours),
-                           thesis.minutes ? fmt::format("{:.0f}", thesis_seconds) : "–",
-                           seconds_text(seconds),
-                           thesis.minutes ? grouped(static_cast<std::uint64_t>(thesis_seconds / seconds))
-                                          : "–",
-                           fmt::format("{:.2f}", thesis.fill_percent), percent(ours.fill_by_voxels)},
-                          ""});
+    table.rows.push_back(
+        {{std::string(thesis.scene), voxels_text(thesis.voxels), voxels_text(ours.voxels),
+          thesis.elements ? grouped(static_cast<std::uint64_t>(*thesis.elements)) : "–",
+          grouped(ours.instances), std::string(thesis.faces), faces_text(ours),
+          thesis.minutes ? fmt::format("{:.0f}", thesis_seconds) : "–", seconds_text(seconds),
+          thesis.minutes ? grouped(static_cast<std::uint64_t>(thesis_seconds / seconds)) : "–",
+          fmt::format("{:.2f}", thesis.fill_percent), percent(ours.fill_by_voxels)},
+         ""});
   }
   return table;
 }
@@ -120,9 +125,9 @@ PageTable gallery_table(const std::vector<GalleryPiece>& pieces) {
   using Kind = PageColumn::Kind;
   PageTable table;
   table.caption = "The gallery's scenes";
-  table.columns = {{"scene", Kind::text},  {"voxels", Kind::text},        {"elements"},
-                   {"faces in all"},       {"assembly, s"},               {"filled %"},
-                   {"outline, mean IoU"},  {"floating %"}};
+  table.columns = {{"scene", Kind::text}, {"voxels", Kind::text}, {"elements"},
+                   {"faces in all"},      {"assembly, s"},        {"filled %"},
+                   {"outline, mean IoU"}, {"floating %"}};
   for (const GalleryPiece& piece : pieces) {
     const Report& report = piece.made.report;
     std::uint64_t faces = 0;
@@ -159,15 +164,16 @@ std::string markdown_table(const PageTable& table) {
 }
 
 constexpr const char* thesis_note =
-    "The thesis's seconds are its assembly times on a 2.4 GHz Core 2 Duo; ours are those of placing "
+    "The thesis's seconds are its assembly times on a 2.4 GHz Core 2 Duo; ours are those of "
+    "placing "
     "and updating on this machine. Models and cutoffs are ours, so that numbers of elements and "
     "fill are alike in kind and not to be compared digit by digit: a finer cutoff fills more, a "
     "model that is rounder fills its ball better. Filled is by voxels, as in the thesis.";
 
 std::string gallery_markdown(const std::vector<GalleryPiece>& pieces) {
   return "# Gallery\n\nMade by `collage gallery`, collage " + std::string(version) + ".\n\n" +
-         markdown_table(gallery_table(pieces)) + "\n## Beside the thesis\n\n" + thesis_note + "\n\n" +
-         markdown_table(thesis_table(pieces));
+         markdown_table(gallery_table(pieces)) + "\n## Beside the thesis\n\n" + thesis_note +
+         "\n\n" + markdown_table(thesis_table(pieces));
 }
 
 PageCard card_of(const GalleryPiece& piece) {
@@ -183,9 +189,10 @@ PageCard card_of(const GalleryPiece& piece) {
 ReportPage gallery_page(const std::vector<GalleryPiece>& pieces) {
   ReportPage page;
   page.title = "Gallery";
-  page.lede = fmt::format("{} shapes, filled with copies of other shapes that never overlap, never "
-                          "stick out and are never deformed.",
-                          pieces.size());
+  page.lede = fmt::format(
+      "{} shapes, filled with copies of other shapes that never overlap, never "
+      "stick out and are never deformed.",
+      pieces.size());
   PageSection cards;
   for (const GalleryPiece& piece : pieces) {
     cards.cards.push_back(card_of(piece));

@@ -1,8 +1,8 @@
 #include "cli/make_scene.h"
 
 #include "base/file.h"
-#include "base/stage.h"
 #include "base/stopwatch.h"
+#include "cli/outline.h"
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
 #include "cli/sculpture_page.h"
@@ -11,9 +11,11 @@ namespace collage {
 
 FolderAudit audit_and_note(const std::filesystem::path& folder, const FinishedFolder& finished,
                            Status& status) {
-  const Stage stage(status, "auditing");
   FolderAudit result = audit_folder(folder, finished, status);
   write_file(folder / "audit.json", audit_json(result));
+  if (result.measures.silhouette_iou) {
+    write_outline(outline_path(folder), result.measures.silhouette_iou->worst_picture);
+  }
   return result;
 }
 

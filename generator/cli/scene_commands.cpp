@@ -156,8 +156,7 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
-  const MadeScene made =
-      make_scene(scene, command_text(arguments, scene), folder, renderer.tools);
+  const MadeScene made = make_scene(scene, command_text(arguments, scene), folder, renderer.tools);
   if (!made.audit.passed()) {
     std::fputs(audit_text(made.audit).c_str(), stdout);
     return answer_no;

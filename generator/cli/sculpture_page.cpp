@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/outline.h"
 #include "cli/render_outputs.h"
 #include "render/report_page.h"
 
@@ -33,22 +34,25 @@ class PageWriter {
   [[nodiscard]] ReportPage page() const {
     ReportPage page;
     page.title = scene_.name;
-    page.lede = fmt::format("{} filled with {} of {}, biggest first.",
-                            target_name(), grouped(report_.instances) + " copies", element_names());
+    page.lede = fmt::format("{} filled with {} of {}, biggest first.", target_name(),
+                            grouped(report_.instances) + " copies", element_names());
     page.verdict = {audit_.passed() ? PageVerdict::Outcome::passed : PageVerdict::Outcome::failed,
                     verdict_sentence(audit_)};
     page.pictures = stills();
     page.numbers = numbers();
     page.sections = {measured("What is proved", AuditLine::Group::promise),
-                     likeness(), density(), variety(), elements(), stages(), again()};
+                     likeness(),
+                     density(),
+                     variety(),
+                     elements(),
+                     stages(),
+                     again()};
     page.footer = fmt::format("collage {}, seed {}", sculpture_.version, report_.seed);
     return page;
   }
 
  private:
-  [[nodiscard]] std::string target_name() const {
-    return sculpture_.target.path.stem().string();
-  }
+  [[nodiscard]] std::string target_name() const { return sculpture_.target.path.stem().string(); }
   [[nodiscard]] std::string element_names() const {
     std::vector<std::string> names;
     for (const Sculpture::Element& element : sculpture_.elements) {
@@ -84,8 +88,8 @@ class PageWriter {
     if (measures_.silhouette_iou) {
       numbers.push_back({percent(measures_.silhouette_iou->mean), "of the outline kept"});
     }
-    numbers.push_back({fmt::format("{:.1f} s", report_.seconds.place + report_.seconds.update),
-                       "to place them"});
+    numbers.push_back(
+        {fmt::format("{:.1f} s", report_.seconds.place + report_.seconds.update), "to place them"});
     return numbers;
   }
 
@@ -116,7 +120,7 @@ class PageWriter {
                                {"share of the surface, %"},
                                {series}});
     }
-    const fs::path outline = worst_outline_path(folder_);
+    const fs::path outline = outline_path(folder_);
     if (fs::exists(outline)) {
       section.pictures.push_back(
           {outline, "The outlines of target and sculpture laid over each other",
@@ -128,42 +132,54 @@ class PageWriter {
 
   [[nodiscard]] PageSection density() const {
     PageSection section = measured("How full is it?", AuditLine::Group::density);
-    if (const auto& growth = audit_.fill_growth; !growth.empty()) {
-      PlotSeries series{"", PlotSeries::Mark::line, {}, {}};
-      for (const auto& [instances, fill] : growth) {
-        series.x.push_back(static_cast<double>(instances));
-        series.y.push_back(100.0 * fill);
-      }
-      section.plots.push_back({"Fill as copies are added",
-                               {"copies", AxisScale::logarithmic},
-                               {"fill, %"},
-                               {series}});
-    }
     if (measures_.fill) {
-      PlotSeries series{"", PlotSeries::Mark::bars, {0.0}, {}};
-      for (std::size_t i = 0; i < measures_.fill->by_shell.size(); ++i) {
-        series.x.push_back(10.0 * static_cast<double>(i + 1));
-        series.y.push_back(100.0 * measures_.fill->by_shell[i].share().value_or(0.0));
-      }
-      section.plots.push_back({"Fill from the surface (0 %) to the core (100 %)",
-                               {"depth, % of the greatest depth"},
-                               {"fill, %"},
-                               {series}});
+      section.plots = {growth_plot(*measures_.fill), shells_plot(*measures_.fill)};
     }
     return section;
   }
 
+  static Plot growth_plot(const Fill& fill) {
+    PlotSeries series{"", PlotSeries::Mark::line, {}, {}};
+    for (const Fill::Step& step : fill.growth) {
+      series.x.push_back(static_cast<double>(step.instances));
+      series.y.push_back(100.0 * step.by_volume);
+    }
+    return {"Fill as copies are added", {"copies", AxisScale::logarithmic}, {"fill, %"}, {series}};
+  }
+
+  static Plot shells_plot(const Fill& fill) {
+    PlotSeries series{"", PlotSeries::Mark::bars, {0.0}, {}};
+    for (const Fill::Sample& shell : fill.by_shell) {
+      series.x.push_back(series.x.back() + 10.0);
+      series.y.push_back(100.0 * shell.share().value_or(0.0));
+    }
+    return {"Fill from the surface (0 %) to the core (100 %)",
+            {"depth, % of the greatest"},
+            {"fill, %"},
+            {series}};
+  }
+
   [[nodiscard]] PageSection variety() const {
     PageSection section = measured("How varied is it?", AuditLine::Group::variety);
-    const Sizes& sizes = measures_.variety.sizes;
-    PlotSeries series{"", PlotSeries::Mark::step, {}, {}};
-    series.x.assign(sizes.edges.begin(), sizes.edges.end());
-    series.y.assign(sizes.counts.begin(), sizes.counts.end());
-    section.plots.push_back({"Sizes of the copies",
-                             {"radius, % of the longest side", AxisScale::logarithmic},
-                             {"copies", AxisScale::logarithmic},
-                             {series}});
+    if (measures_.sizes && measures_.target_side > 0.0) {
+      section.plots = {sizes_plot(*measures_.sizes, measures_.target_side)};
+    }
     return section;
+  }
+
+  static Plot sizes_plot(const Sizes& sizes, double side) {
+    PlotSeries series{"", PlotSeries::Mark::step, {}, {}};
+    const std::size_t bins = sizes.histogram.size();
+    for (std::size_t i = 0; i <= bins; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(bins);
+      const double size = sizes.smallest * std::pow(sizes.largest / sizes.smallest, share);
+      series.x.push_back(100.0 * size / side);
+    }
+    series.y.assign(sizes.histogram.begin(), sizes.histogram.end());
+    return {"Sizes of the copies",
+            {"radius, % of the longest side", AxisScale::logarithmic},
+            {"copies", AxisScale::logarithmic},
+            {series}};
   }
 
   [[nodiscard]] PageSection elements() const {
@@ -196,14 +212,15 @@ class PageWriter {
   [[nodiscard]] PageSection again() const {
     PageSection section;
     section.heading = "Make it again";
-    section.paragraphs = {
-        fmt::format("With collage {}, seed {}. The same scene and seed give the same sculpture, byte "
-                    "for byte, on any machine and any number of threads.",
-                    sculpture_.version, report_.seed)};
+    section.paragraphs = {fmt::format(
+        "With collage {}, seed {}. The same scene and seed give the same sculpture, byte "
+        "for byte, on any machine and any number of threads.",
+        sculpture_.version, report_.seed)};
     section.commands = {sculpture_.command, "collage audit FOLDER",
                         "collage still FOLDER --view 30/15"};
     PageTable inputs{"Inputs", {{"file", Kind::text}, {"SHA-256", Kind::text}}, {}};
-    inputs.rows.push_back({{sculpture_.target.path.generic_string(), sculpture_.target.sha256}, ""});
+    inputs.rows.push_back(
+        {{sculpture_.target.path.generic_string(), sculpture_.target.sha256}, ""});
     for (const Sculpture::Element& element : sculpture_.elements) {
       inputs.rows.push_back({{element.path.generic_string(), element.sha256}, ""});
     }

@@ -70,4 +70,15 @@ void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
   parent_[std::max(a, b)] = std::min(a, b);
 }
 
+bool is_closed(const Mesh& mesh) {
+  const Topology topology(mesh);
+  for (std::size_t e = 0; e < topology.edge_count(); ++e) {
+    const auto uses = topology.edge(e);
+    if (2 * std::ranges::count_if(uses, &EdgeUse::forward) != std::ssize(uses)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace collage

@@ -57,6 +57,10 @@ inline uvec3 welded_triangle(const Mesh& mesh, const Topology& topology, std::si
   return {welded[t.x], welded[t.y], welded[t.z]};
 }
 
+/// True where every edge is run as often one way as the other: the winding number is whole
+/// everywhere off the surface and changes only across it. Cost: O(n log n).
+bool is_closed(const Mesh& mesh);
+
 inline bool has_two_equal(const uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; }
 
 }  // namespace collage

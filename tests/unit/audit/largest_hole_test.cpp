@@ -15,13 +15,11 @@ struct Scene {
   Mesh element;
   std::vector<Instance> instances;
 
-  [[nodiscard]] LargestHole hole(Surfaces surfaces = Surfaces::closed) const {
+  [[nodiscard]] LargestHole hole() const {
     const std::array elements{&element};
     const InstanceIndex index(elements, instances);
-    const Box box = bounding_box(target);
-    const Solid solid(target, box.center(), 0.5 * glm::length(box.extent()));
     Status status;
-    return find_largest_hole(solid, box, index, surfaces, status);
+    return find_largest_hole(TargetShape(target), index, status);
   }
 };
 
@@ -108,7 +106,7 @@ TEST(LargestHole, OfAnOpenMeshIsSaidToBeUnproven) {
   const Scene scene{test::open_box_mesh(dvec3(0), dvec3(1, 1, 1)),
                     test::box_mesh(dvec3(-1), dvec3(1)),
                     {at(dvec3(0.5, 0.3, 0.5), 0.05)}};
-  const LargestHole hole = scene.hole(Surfaces::open);
+  const LargestHole hole = scene.hole();
   EXPECT_FALSE(hole.proven);
   EXPECT_GT(hole.radius, 0.3);
 }
