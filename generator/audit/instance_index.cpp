@@ -95,7 +95,8 @@ std::optional<InstanceIndex::Nearest> InstanceIndex::nearest(const dvec3& point,
 }
 
 std::optional<std::uint32_t> InstanceIndex::holder(const dvec3& point) const {
-  constexpr double in_box = std::numeric_limits<double>::denorm_min();
+  // Above 0, and so large that threads which flush denormal numbers to 0 see that.
+  constexpr double in_box = std::numeric_limits<double>::min();
   std::optional<std::uint32_t> first;
   visit_lowest_first(
       tree_, [&](const Box& box) { return squared_distance(box, point); }, in_box,

@@ -139,6 +139,8 @@ class Search {
     if (status_.stop_requested()) {
       throw Interrupted();
     }
+    status_.update(begin,
+                   fmt::format("largest hole {:.4g}, at most {:.4g}", best_.radius, limit()));
     std::vector<Clearance> clearances(cubes.size());
     tbb::parallel_for(std::size_t{0}, cubes.size(),
                       [&](std::size_t i) { clearances[i] = clearance(cubes[i]); });
@@ -174,8 +176,6 @@ class Search {
         descend(taken);
       }
     }
-    status_.update(begin + share,
-                   fmt::format("largest hole {:.4g} or below {:.4g}", best_.radius, limit()));
   }
 
   const Solid& target_;

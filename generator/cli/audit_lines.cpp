@@ -168,9 +168,9 @@ std::string verdict_sentence(const FolderAudit& result) {
 }
 
 std::string audit_text(const FolderAudit& result) {
-  std::string text = fmt::format("{:26}{}\n", "audit", result.passed() ? "passed" : "FAILED");
+  std::string text = fmt::format("{:28}{}\n", "audit", result.passed() ? "passed" : "FAILED");
   for (const AuditLine& line : audit_lines(result)) {
-    text += fmt::format("  {:24}{}\n", line.name, line.value);
+    text += fmt::format("  {:26}{}\n", line.name, line.value);
   }
   return text;
 }

@@ -203,8 +203,7 @@ void CommandLine::add_export() {
 }
 
 void CommandLine::add_small_commands() {
-  CLI::App* audit = add(
-      "audit", "Prove of a finished folder that nothing overlaps or sticks out, and measure it");
+  CLI::App* audit = add("audit", "Prove that nothing overlaps or sticks out, and measure the rest");
   audit->add_option("folder", audit_.folder, "A folder that make or pack has written")->required();
   audit->add_option("--offenders", audit_.offenders,
                     "Write a folder that holds only the instances at fault, for `collage still`");

@@ -39,7 +39,8 @@ void write_offenders(const fs::path& source, const FinishedFolder& finished, con
                      const fs::path& folder, Status& status) {
   const std::set<std::uint32_t> offending = offending_instances(audit);
   if (offending.empty()) {
-    throw Error({source}, "no instance breaks a promise", "leave out --offenders");
+    status.note("no instance breaks a promise: nothing is written to " + folder.string());
+    return;
   }
   if (fs::exists(folder) && fs::equivalent(source, folder)) {
     throw Error({folder}, "is the folder that is audited", "name another one");

@@ -9,8 +9,8 @@
 namespace collage {
 
 /// Writes a folder like `source` that holds only the instances that break a promise, so that
-/// `collage still` shows them; `finished` is what `source` holds. Throws Error where no instance
-/// breaks one or the folder cannot be written.
+/// `collage still` shows them; `finished` is what `source` holds. Writes nothing where no instance
+/// breaks one. Throws Error where the folder cannot be written.
 void write_offenders(const std::filesystem::path& source, const FinishedFolder& finished,
                      const Audit& audit, const std::filesystem::path& folder, Status& status);
 
