@@ -13,6 +13,7 @@
 #include "cli/stop_signals.h"
 #include "cli/terminal.h"
 #include "cli/version.h"
+#include "scene/options_table.h"
 
 namespace collage {
 namespace {
@@ -229,6 +230,10 @@ void CommandLine::add_small_commands() {
 void CommandLine::add_model() {
   CLI::App* command =
       add("model", "Write a starter model or letters as OBJ; without either, list the models");
+  const auto range = [](const char* key) {
+    const Option& option = *find_option(key);
+    return CLI::Range(option.minimum, option.maximum);
+  };
   CLI::Option* name = command->add_option("name", model_.name);
   CLI::Option* text =
       command->add_option("--text", model_.letters.string, "Letters, in place of a name")
@@ -241,11 +246,11 @@ void CommandLine::add_model() {
       ->capture_default_str();
   command->add_option("--depth", model_.letters.depth, "Heights of a capital letter")
       ->needs(text)
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(range("target.text.depth"))
       ->capture_default_str();
   command->add_option("--bevel", model_.letters.bevel, "Heights of a capital letter")
       ->needs(text)
-      ->check(CLI::Range(0.0, 0.5))
+      ->check(range("target.text.bevel"))
       ->capture_default_str();
   command->add_option("-o,--output", model_.output, "By default the name, or letters, with .obj");
   command->callback([this] { run_ = [this](Terminal& t) { return run_model(model_, t); }; });

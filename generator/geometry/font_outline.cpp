@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{256} << 20;
 constexpr std::size_t longest_text = 200;
-constexpr std::size_t most_points = 200000;
+constexpr std::size_t most_points = 100000;
 constexpr double farthest_point = 512.0;
 constexpr double most_chords = 200.0;
 constexpr double capital_of_em = 0.7;

@@ -18,7 +18,7 @@ namespace collage {
 /// Throws Error where the text is not UTF-8, longer than 200 characters, or holds control
 /// characters; where the font has no glyph for one, which is named (U+00E4); where the font cannot
 /// be read, holds pictures instead of outlines, or is larger than letters are (a file of 256 MiB,
-/// 200,000 points, a text 512 wide).
+/// 100,000 points, a text 512 wide).
 std::vector<Contour> read_outlines(const FontFile& font, std::string_view text, double tolerance);
 
 }  // namespace collage

@@ -189,11 +189,9 @@ class Front {
 Inset no_strip(const Region& region) {
   Inset result;
   result.inner = region;
-  for (const Contour& contour : region) {
-    for (const dvec2& point : contour) {
-      result.inner_points.push_back(static_cast<Index>(result.points.size()));
-      result.points.emplace_back(point, 0.0);
-    }
+  for (const dvec2& point : all_points(region)) {
+    result.inner_points.push_back(static_cast<Index>(result.points.size()));
+    result.points.emplace_back(point, 0.0);
   }
   return result;
 }

@@ -41,6 +41,8 @@ double area(const Contour& contour);
 /// Sum over all contours.
 double area(const Region& region);
 
+/// Contour by contour, as triangulated() counts them.
+std::vector<dvec2> all_points(const Region& region);
 std::size_t point_count(const Region& region);
 
 }  // namespace collage

@@ -23,10 +23,7 @@ Contour reversed(Contour contour) {
 }
 
 double area_of_triangles(const Region& region, const std::vector<uvec3>& triangles) {
-  Contour points;
-  for (const Contour& contour : region) {
-    points.insert(points.end(), contour.begin(), contour.end());
-  }
+  const std::vector<dvec2> points = all_points(region);
   double sum = 0.0;
   for (const uvec3& t : triangles) {
     const double one = area(Contour{points.at(t.x), points.at(t.y), points.at(t.z)});
@@ -89,6 +86,24 @@ TEST(PlanarRegion, LeavesOutWhatHasNoArea) {
   ASSERT_TRUE(nothing);
   EXPECT_TRUE(nothing->empty());
   EXPECT_TRUE(triangulated({}).value().empty());
+}
+
+TEST(PlanarRegion, LeavesOutSpikes) {
+  // There and back again, a hundred thousand points, wherever the contour starts.
+  Contour contour = square(0, 0, 1);
+  for (int i = 1; i < 50000; ++i) {
+    contour.emplace_back(0.0, 1.0 + i * grid_step);
+  }
+  for (int i = 50000; i > 0; --i) {
+    contour.emplace_back(0.0, 1.0 + i * grid_step);
+  }
+  for (int i = 0; i < 8; ++i) {
+    std::rotate(contour.begin(), contour.begin() + 12345, contour.end());
+    const auto region = united({contour});
+    ASSERT_TRUE(region);
+    EXPECT_EQ(area(*region), 1.0);
+    EXPECT_EQ(point_count(*region), 4U);
+  }
 }
 
 TEST(PlanarRegion, IsAsLargeAsScanLinesSay) {
