@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace collage {
 namespace {
@@ -33,23 +33,10 @@ const char* font_file() {
   return *found;
 }
 
-/// Takes one character off the front of the text.
+/// Takes one character off the front of the text, one that can be shown.
 char32_t next_character(std::string_view& text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  text.remove_prefix(1);
-  if (first < 0x80) {
-    return first < 0x20 ? U' ' : first;
-  }
-  const int tail = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-  char32_t character = first & (0x3F >> tail);
-  for (int i = 0; i < tail; ++i) {
-    if (first < 0xC2 || text.empty() || (static_cast<unsigned char>(text.front()) & 0xC0) != 0x80) {
-      return not_a_character;
-    }
-    character = (character << 6) | (static_cast<unsigned char>(text.front()) & 0x3F);
-    text.remove_prefix(1);
-  }
-  return character;
+  const char32_t character = take_character(text).value_or(not_a_character);
+  return character < 0x20 ? U' ' : character;
 }
 
 /// The lengths in bytes of the text's first 0, 1, 2, … characters.

@@ -13,6 +13,7 @@
 #include "cli/stop_signals.h"
 #include "cli/terminal.h"
 #include "cli/version.h"
+#include "scene/options_table.h"
 
 namespace collage {
 namespace {
@@ -44,6 +45,7 @@ class CommandLine {
   void add_sheet();
   void add_compare();
   void add_export();
+  void add_model();
   void add_small_commands();
   [[nodiscard]] std::string complaint(const CLI::ParseError& error, int argc, char** argv) const;
 
@@ -60,8 +62,7 @@ class CommandLine {
   CompareArguments compare_;
   ExportArguments export_;
   std::vector<std::filesystem::path> meshes_;
-  std::string model_;
-  std::filesystem::path model_output_;
+  ModelArguments model_;
 };
 
 CommandLine::CommandLine() {
@@ -215,12 +216,7 @@ void CommandLine::add_small_commands() {
   check->add_option("meshes", meshes_, "OBJ files")->required();
   check->callback([this] { run_ = [this](Terminal& t) { return run_check(meshes_, t); }; });
 
-  CLI::App* model = add("model", "Write a starter model as OBJ; without a name, list them");
-  model->add_option("name", model_);
-  model->add_option("-o,--output", model_output_, "By default the name with .obj");
-  model->callback(
-      [this] { run_ = [this](Terminal&) { return run_model(model_, model_output_); }; });
-
+  add_model();
   add("scenes", "List the scenes that come with the program")->callback([this] {
     run_ = [](Terminal&) { return run_scenes(); };
   });
@@ -230,6 +226,35 @@ void CommandLine::add_small_commands() {
       "--markdown", [this] { common_.output = CommonArguments::Output::json; },
       "As the page docs/scene-reference.md");
   options->callback([this] { run_ = [this](Terminal&) { return run_options(common_.output); }; });
+}
+
+void CommandLine::add_model() {
+  CLI::App* command =
+      add("model", "Write a starter model or letters as OBJ; without either, list the models");
+  const auto range = [](const char* key) {
+    const Option& option = *find_option(key);
+    return CLI::Range(option.minimum, option.maximum);
+  };
+  CLI::Option* name = command->add_option("name", model_.name);
+  CLI::Option* text =
+      command->add_option("--text", model_.letters.string, "Letters, in place of a name")
+          ->check([](const std::string& s) { return s.empty() ? "one or more letters" : ""; })
+          ->excludes(name);
+  command
+      ->add_option("--font", model_.letters.font,
+                   "Theirs: a family, as \"DejaVu Serif:bold\", or a .ttf or .otf file")
+      ->needs(text)
+      ->capture_default_str();
+  command->add_option("--depth", model_.letters.depth, "Heights of a capital letter")
+      ->needs(text)
+      ->check(range("target.text.depth"))
+      ->capture_default_str();
+  command->add_option("--bevel", model_.letters.bevel, "Heights of a capital letter")
+      ->needs(text)
+      ->check(range("target.text.bevel"))
+      ->capture_default_str();
+  command->add_option("-o,--output", model_.output, "By default the name, or letters, with .obj");
+  command->callback([this] { run_ = [this](Terminal& t) { return run_model(model_, t); }; });
 }
 
 /// One line on what is wrong with the arguments.

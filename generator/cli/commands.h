@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/terminal.h"
+#include "geometry/letters.h"
 #include "render/compare.h"
 
 namespace collage {
@@ -94,7 +95,16 @@ struct ExportArguments {
 int run_export(const ExportArguments& arguments, Terminal& terminal);
 
 int run_check(const std::vector<std::filesystem::path>& meshes, Terminal& terminal);
-int run_model(const std::string& name, const std::filesystem::path& output);
+
+/// A starter model by its name, or letters.
+struct ModelArguments {
+  std::string name;
+  LetterOptions letters;
+  /// Empty: the name, or "letters", with .obj.
+  std::filesystem::path output;
+};
+int run_model(const ModelArguments& arguments, Terminal& terminal);
+
 int run_scenes();
 int run_options(CommonArguments::Output output);
 

@@ -72,6 +72,21 @@ std::string comparison_text(const Comparison& comparison) {
   return text;
 }
 
+const StarterModel& model_called(const std::string& name) {
+  const auto models = starter_models();
+  const auto model = std::find_if(models.begin(), models.end(),
+                                  [&](const StarterModel& m) { return m.name == name; });
+  if (model == models.end()) {
+    std::vector<std::string> names;
+    std::transform(models.begin(), models.end(), std::back_inserter(names),
+                   [](const StarterModel& m) { return std::string(m.name); });
+    const std::string guess = did_you_mean(name, names);
+    throw Error("there is no model '" + name + "'",
+                guess.empty() ? "`collage model` lists those that there are" : guess);
+  }
+  return *model;
+}
+
 }  // namespace
 
 int run_sheet(const SheetArguments& arguments) {
@@ -135,26 +150,22 @@ int run_check(const std::vector<fs::path>& meshes, Terminal& terminal) {
   return 0;
 }
 
-int run_model(const std::string& name, const fs::path& output) {
-  const auto models = starter_models();
-  const auto model = std::find_if(models.begin(), models.end(),
-                                  [&](const StarterModel& m) { return m.name == name; });
-  if (name.empty()) {
-    for (const StarterModel& m : models) {
+int run_model(const ModelArguments& arguments, Terminal& terminal) {
+  const bool letters = !arguments.letters.string.empty();
+  if (arguments.name.empty() && !letters) {
+    for (const StarterModel& m : starter_models()) {
       fmt::print("{:12} {}\n", m.name, m.description);
     }
     return 0;
   }
-  if (model == models.end()) {
-    std::vector<std::string> names;
-    std::transform(models.begin(), models.end(), std::back_inserter(names),
-                   [](const StarterModel& m) { return std::string(m.name); });
-    const std::string guess = did_you_mean(name, names);
-    throw Error("there is no model '" + name + "'",
-                guess.empty() ? "`collage model` lists those that there are" : guess);
+  const std::string name = letters ? "letters" : arguments.name;
+  const fs::path path = arguments.output.empty() ? fs::path(name + ".obj") : arguments.output;
+  if (letters) {
+    write_obj(path, make_letters(arguments.letters, terminal), "");
+  } else {
+    write_obj(path, model_called(name).make(),
+              "collage model " + name + " -o " + path.filename().string());
   }
-  const fs::path path = output.empty() ? fs::path(name + ".obj") : output;
-  write_obj(path, model->make(), "collage model " + name + " -o " + path.filename().string());
   fmt::print("{}\n", path.string());
   return 0;
 }

@@ -35,6 +35,11 @@ MeshFile read_mesh(const fs::path& path, Status& status) {
   return file;
 }
 
+/// The mesh of a target or an element, which comes from files or from letters.
+MeshFile shape(const fs::path& mesh, const LetterOptions& text, Status& status) {
+  return text.string.empty() ? read_mesh(mesh, status) : MeshFile{make_letters(text, status), {}};
+}
+
 /// All that is read before anything is placed. Ingredients refer to the elements, and elements to
 /// nothing: it stays in its place.
 struct Workshop {
@@ -55,7 +60,7 @@ struct Workshop {
 
 void Workshop::read_target(const Scene::Target& wanted, Status& status) {
   if (wanted.sdf.empty()) {
-    MeshFile file = read_mesh(wanted.mesh, status);
+    MeshFile file = shape(wanted.mesh, wanted.text, status);
     target_files = file.files;
     target_mesh = std::move(file.mesh);
     target = std::make_unique<MeshTarget>(target_mesh);
@@ -68,11 +73,11 @@ void Workshop::read_target(const Scene::Target& wanted, Status& status) {
 Workshop::Workshop(const Scene& scene, Status& status) {
   const std::size_t count = scene.elements.size();
   for (const Scene::Element& wanted : scene.elements) {
-    status.update(0.0, wanted.mesh.filename().string());
+    status.update(0.0, wanted.name());
     if (status.stop_requested()) {
       throw Interrupted();
     }
-    element_files.push_back(read_mesh(wanted.mesh, status));
+    element_files.push_back(shape(wanted.mesh, wanted.text, status));
   }
   read_target(scene.target, status);
   elements.resize(count);
@@ -103,6 +108,13 @@ Workshop::Workshop(const Scene& scene, Status& status) {
               "list smaller element.scales, or use packing.scaling = \"to-hole\"");
 }
 
+/// What a mesh was read from, or the mesh itself where that was made of letters, in the folder.
+Sculpture::Input input(const std::vector<fs::path>& files, const Mesh& mesh, const fs::path& folder,
+                       const std::string& role, Status& status) {
+  return files.empty() ? write_input(mesh, "letters", folder, role)
+                       : copy_inputs(files, folder, role, status);
+}
+
 Sculpture describe(const Scene& scene, const std::string& command, const Workshop& workshop,
                    const std::vector<Instance>& instances, const fs::path& folder, Status& status) {
   Sculpture sculpture;
@@ -110,12 +122,13 @@ Sculpture describe(const Scene& scene, const std::string& command, const Worksho
   sculpture.command = command;
   sculpture.options = scene;
   sculpture.instances = instances;
-  sculpture.target = copy_inputs(workshop.target_files, folder, "target", status);
+  sculpture.target = input(workshop.target_files, workshop.target_mesh, folder, "target", status);
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
     Sculpture::Element element;
-    static_cast<Sculpture::Input&>(element) = copy_inputs(workshop.element_files[e].files, folder,
-                                                          "element-" + std::to_string(e), status);
-    element.name = scene.elements[e].mesh.stem().string();
+    const MeshFile& file = workshop.element_files[e];
+    static_cast<Sculpture::Input&>(element) =
+        input(file.files, file.mesh, folder, "element-" + std::to_string(e), status);
+    element.name = scene.elements[e].name();
     element.size = workshop.elements[e]->size();
     sculpture.elements.push_back(element);
   }
@@ -128,8 +141,8 @@ Composition compose(const Scene& scene, const Workshop& workshop,
   composition.name = scene.name;
   composition.made_by = std::string("collage ") + version;
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
-    composition.elements.push_back({scene.elements[e].mesh.stem().string(),
-                                    workshop.element_files[e].mesh, scene.elements[e].color});
+    composition.elements.push_back(
+        {scene.elements[e].name(), workshop.element_files[e].mesh, scene.elements[e].color});
   }
   composition.instances = instances;
   composition.target = scene.target.sdf.empty() ? &workshop.target_mesh : nullptr;
@@ -164,8 +177,8 @@ Report summarise(const Scene& scene, const Workshop& workshop, const Packing& pa
     const auto count =
         std::count_if(packing.instances.begin(), packing.instances.end(),
                       [e](const Instance& instance) { return instance.element == e; });
-    report.elements.push_back({scene.elements[e].mesh.stem().string(),
-                               workshop.elements[e]->faces(), static_cast<std::uint64_t>(count)});
+    report.elements.push_back({scene.elements[e].name(), workshop.elements[e]->faces(),
+                               static_cast<std::uint64_t>(count)});
   }
   report.seconds.place = packing.place_seconds;
   report.seconds.update = packing.update_seconds;

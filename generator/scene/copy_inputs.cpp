@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "base/file.h"
+#include "geometry/mesh_file.h"
 
 namespace collage {
 namespace {
@@ -35,6 +36,13 @@ Sculpture::Input copy_inputs(const std::vector<fs::path>& files, const fs::path&
     }
   }
   return input;
+}
+
+Sculpture::Input write_input(const Mesh& mesh, const std::string& name, const fs::path& folder,
+                             const std::string& role) {
+  const fs::path path = fs::path("meshes") / role / (name + ".obj");
+  write_obj(folder / path, mesh, "");
+  return {path, sha256(read_file(folder / path))};
 }
 
 }  // namespace collage

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "geometry/mesh.h"
 #include "scene/sculpture.h"
 
 namespace collage {
@@ -16,5 +17,10 @@ namespace collage {
 Sculpture::Input copy_inputs(const std::vector<std::filesystem::path>& files,
                              const std::filesystem::path& folder, const std::string& role,
                              Status& status);
+
+/// Writes an input that was made, not read, into the folder, as meshes/<role>/<name>.obj. Throws
+/// Error where it cannot be written.
+Sculpture::Input write_input(const Mesh& mesh, const std::string& name,
+                             const std::filesystem::path& folder, const std::string& role);
 
 }  // namespace collage

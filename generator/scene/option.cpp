@@ -68,6 +68,10 @@ std::string accepted_text(const Option& option) {
       return alternatives(option.words) + ", or the path of a template ending in .inc";
     case TextForm::view:
       return alternatives(option.words) + ", or \"azimuth/elevation\" in degrees";
+    case TextForm::letters:
+      return "one or more characters";
+    case TextForm::font:
+      return "a font as \"DejaVu Sans:bold\", or the path of a .ttf or .otf file";
   }
   return {};
 }

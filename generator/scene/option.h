@@ -20,8 +20,9 @@ using OptionValue = std::variant<bool, std::int64_t, double, std::string, std::v
 enum class OptionKind { boolean, whole_number, number, text, numbers, size, texts };
 
 /// What a text may be: anything, one of Option::words, a file, "#rrggbb", a template (one of
-/// Option::words or a .inc file), or a view (one of Option::words or "azimuth/elevation").
-enum class TextForm { any, word, path, color, look, view };
+/// Option::words or a .inc file), a view (one of Option::words or "azimuth/elevation"), anything
+/// but nothing, or a font (a file or a name that find_font() takes).
+enum class TextForm { any, word, path, color, look, view, letters, font };
 
 /// What the table says on a key beside its field.
 struct OptionText {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "geometry/font_file.h"
+
 namespace collage {
 namespace {
 
@@ -149,6 +151,10 @@ class Check {
         return known ? text : own_template(text);
       case TextForm::view:
         return known || is_azimuth_and_elevation(text) ? text : (refuse("is not available"), text);
+      case TextForm::letters:
+        return !text.empty() ? text : (refuse("is empty"), text);
+      case TextForm::font:
+        return is_font_path(text) ? existing_file(text) : text;
     }
     return text;
   }

@@ -14,6 +14,10 @@ All keys of a scene file, `scene.toml`. Any of them can be set for one run with
 Lengths are fractions of the target's longest side and angles are degrees; meshes are as big as their
 files say, and up is +y. A key that is not listed here is an error.
 
+Letters can stand in for a mesh: `text = { string = "C", font = "DejaVu Sans:bold", depth = 0.5 }`. Fonts are
+those that `fc-list` lists, with a style after the colon, or files; a capital letter is 1 high. The finished
+folder holds the letters as a mesh and needs no font.
+
 A template of your own (`render.template = "mine.inc"`) is POV-Ray code, not data: it can read and write
 files. Render only scenes whose template you would run as a program.
 )";

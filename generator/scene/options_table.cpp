@@ -1,6 +1,7 @@
 #include "scene/options_table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/option_row.h"
 
@@ -17,6 +18,33 @@ const std::vector<std::string> qualities{"draft", "standard", "fine"};
 const std::vector<std::string> looks{"studio", "daylight", "clay", "x-ray", "breakdown"};
 const std::vector<std::string> views{"front", "three-quarter", "right", "back", "left", "top"};
 
+/// The letters that stand in for a mesh. `row` makes a row of the table from the field that a
+/// lambda finds, `letters_of` finds the letters.
+template <class Row, class LettersOf>
+void append_letter_options(std::vector<Option>& table, const std::string& section,
+                           const std::string& help, Row row, LettersOf letters_of) {
+  const auto append = [&](const char* name, auto field, OptionText text) {
+    table.push_back(row(
+        section + ".text." + name, [=](auto& owner) -> auto& { return letters_of(owner).*field; },
+        std::move(text)));
+  };
+  append("string", &LetterOptions::string, {.help = help, .form = TextForm::letters});
+  append("font", &LetterOptions::font,
+         {.unit = "starting from the scene's folder",
+          .help = "font of the letters",
+          .form = TextForm::font});
+  append("depth", &LetterOptions::depth,
+         {.minimum = 0.01,
+          .maximum = 10,
+          .unit = "a fraction of a capital letter's height",
+          .help = "how thick the letters are"});
+  append("bevel", &LetterOptions::bevel,
+         {.minimum = 0,
+          .maximum = 0.5,
+          .unit = "a fraction of a capital letter's height",
+          .help = "how much of their edges is cut off, less where strokes are thin"});
+}
+
 void append_target_options(std::vector<Option>& table) {
   table.push_back(option("target.mesh", [](auto& s) -> auto& { return s.target.mesh; },
                          {.unit = "starting from the scene's folder",
@@ -26,6 +54,10 @@ void append_target_options(std::vector<Option>& table) {
                          {.unit = "starting from the scene's folder",
                           .help = "grid of signed distances to fill, instead of a mesh",
                           .form = TextForm::path}));
+  append_letter_options(
+      table, "target", "letters to fill, instead of a mesh",
+      [](auto... arguments) { return option(std::move(arguments)...); },
+      [](auto& scene) -> auto& { return scene.target.text; });
   table.push_back(option("target.resolution", [](auto& s) -> auto& { return s.target.resolution; },
                          {.minimum = 1,
                           .maximum = 2048,
@@ -43,6 +75,10 @@ void append_element_options(std::vector<Option>& table) {
                                  {.unit = "starting from the scene's folder",
                                   .help = "OBJ file of the shape to fill with",
                                   .form = TextForm::path}));
+  append_letter_options(
+      table, "element", "letters to fill with, instead of a mesh",
+      [](auto... arguments) { return element_option(std::move(arguments)...); },
+      [](auto& element) -> auto& { return element.text; });
   table.push_back(
       element_option("element.scales", [](auto& e) -> auto& { return e.scales; },
                      {.minimum = 1e-6,

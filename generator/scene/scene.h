@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/letters.h"
 #include "packing/options.h"
 
 namespace collage {
@@ -15,18 +16,26 @@ namespace collage {
 /// stand in the options table (options_table.h); paths are resolved against the scene's folder.
 struct Scene {
   struct Target {
-    /// Exactly one of the two is set.
+    /// Exactly one of the three is set; letters by their string.
     std::filesystem::path mesh;
     std::filesystem::path sdf;
+    LetterOptions text;
     int resolution = 100;
     double jitter = 0.5;
   };
   struct Element {
+    /// Exactly one of the two is set; letters by their string.
     std::filesystem::path mesh;
+    LetterOptions text;
     std::vector<double> scales{1.0};
     double weight = 1.0;
     /// "#rrggbb" in sRGB; empty: the mesh file's materials.
     std::string color;
+
+    /// For people.
+    [[nodiscard]] std::string name() const {
+      return text.string.empty() ? mesh.stem().string() : text.string;
+    }
   };
   struct Render {
     /// The template: one of ours by name, "studio", or the path of the user's .inc file.

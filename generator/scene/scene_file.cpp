@@ -105,16 +105,31 @@ class Reader {
     }
   }
 
+  /// `section` may be a table within a section, "target.text".
   void read_keys(const std::string& section, std::size_t element, const toml::table& table) {
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
-      const Option* option =
-          name.find('.') == std::string::npos ? find_option(section + "." + name) : nullptr;
-      if (option == nullptr) {
+      const bool plain = name.find('.') == std::string::npos;
+      const Option* option = plain ? find_option(section + "." + name) : nullptr;
+      if (option != nullptr) {
+        read_value(*option, element, key, node);
+      } else if (plain && !names_in(section + "." + name).empty()) {
+        read_inner_table(section + "." + name, element, key, node);
+      } else {
         refuse_unknown(key, "key '" + name + "' in [" + section + "]", names_in(section));
       }
-      read_value(*option, element, key, node);
     }
+  }
+
+  void read_inner_table(const std::string& name, std::size_t element, const toml::key& key,
+                        const toml::node& node) {
+    const auto* table = node.as_table();
+    if (table == nullptr) {
+      const std::string own(key.str());
+      throw Error(at(key.source()), "'" + own + "' is a table",
+                  "write " + own + " = { " + names_in(name).front() + " = … }");
+    }
+    read_keys(name, element, *table);
   }
 
   void read_value(const Option& option, std::size_t element, const toml::key& key,
@@ -140,11 +155,17 @@ class Reader {
     throw Error(at(key.source()), "there is no " + what, remedy);
   }
 
+  /// Keys and inner tables of a section or of a table in one.
   [[nodiscard]] static std::vector<std::string> names_in(const std::string& section) {
     std::vector<std::string> names;
+    const std::string start = section + ".";
     for (const Option& option : options_table()) {
-      if (option.section() == section) {
-        names.push_back(option.name());
+      if (option.key.starts_with(start)) {
+        const std::string rest = option.key.substr(start.size());
+        const std::string name = rest.substr(0, rest.find('.'));
+        if (names.empty() || names.back() != name) {
+          names.push_back(name);
+        }
       }
     }
     return names;
@@ -155,15 +176,7 @@ class Reader {
     if (section == nullptr) {
       throw Error({file_}, "has no target", "add [target] with mesh = \"shape.obj\"");
     }
-    const auto* mesh = section->get("mesh");
-    const auto* sdf = section->get("sdf");
-    if (mesh == nullptr && sdf == nullptr) {
-      throw Error(at(section->source()), "[target] has no shape", "add mesh = \"shape.obj\"");
-    }
-    if (mesh != nullptr && sdf != nullptr) {
-      const int line = std::max(line_of(mesh->source()), line_of(sdf->source()));
-      throw Error({file_, line}, "[target] has both mesh and sdf", "keep one of them");
-    }
+    require_one_shape(*section, "[target]", {"mesh", "sdf", "text"});
   }
 
   void require_elements(const toml::table& root) const {
@@ -171,10 +184,32 @@ class Reader {
       throw Error({file_}, "has no element", "add [[element]] with mesh = \"shape.obj\"");
     }
     for (const toml::node& element : *root["element"].as_array()) {
-      if (!element.as_table()->contains("mesh")) {
-        throw Error(at(element.source()), "this [[element]] has no mesh",
-                    "add mesh = \"shape.obj\"");
+      require_one_shape(*element.as_table(), "this [[element]]", {"mesh", "text"});
+    }
+  }
+
+  void require_one_shape(const toml::table& section, const std::string& title,
+                         std::initializer_list<std::string_view> names) const {
+    std::vector<std::string_view> given;
+    int line = 0;
+    for (const std::string_view name : names) {
+      if (const auto* node = section.get(name)) {
+        given.push_back(name);
+        line = std::max(line, line_of(node->source()));
       }
+    }
+    if (given.empty()) {
+      throw Error(at(section.source()), title + " has no shape", "add mesh = \"shape.obj\"");
+    }
+    if (given.size() > 1) {
+      throw Error({file_, line},
+                  title + " has both " + std::string(given[0]) + " and " + std::string(given[1]),
+                  "keep one of them");
+    }
+    const auto* text = section["text"].as_table();
+    if (text != nullptr && !text->contains("string")) {
+      throw Error({file_, line}, title + " has a text without letters",
+                  "write text = { string = \"A\" }");
     }
   }
 

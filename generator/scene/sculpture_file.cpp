@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "geometry/font_file.h"
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/options_json.h"
@@ -27,12 +28,25 @@ namespace fs = std::filesystem;
 
 constexpr double quaternion_tolerance = 1e-6;
 
+/// A font without its folder, which is nothing to others.
+void forget_folder(LetterOptions& letters) {
+  if (is_font_path(letters.font)) {
+    letters.font = fs::path(letters.font).filename().string();
+  }
+}
+
 /// The options as they are in the finished folder: inputs and template are the copies in it.
+/// Letters stay letters; their meshes are the inputs.
 Scene with_copies(const Sculpture& sculpture) {
   Scene scene = sculpture.options;
-  (scene.target.mesh.empty() ? scene.target.sdf : scene.target.mesh) = sculpture.target.path;
+  if (scene.target.text.string.empty()) {
+    (scene.target.mesh.empty() ? scene.target.sdf : scene.target.mesh) = sculpture.target.path;
+  }
+  forget_folder(scene.target.text);
   for (std::size_t k = 0; k < scene.elements.size(); ++k) {
-    scene.elements[k].mesh = sculpture.elements.at(k).path;
+    Scene::Element& element = scene.elements[k];
+    element.mesh = element.text.string.empty() ? sculpture.elements.at(k).path : fs::path();
+    forget_folder(element.text);
   }
   scene.render.look = std::filesystem::path(scene.render.look).filename().string();
   return scene;
@@ -148,9 +162,17 @@ void require_consistent(const Sculpture& sculpture, std::uint64_t seed) {
   if (seed != sculpture.options.packing.seed) {
     throw Problem{".seed", "differs from options.packing.seed"};
   }
-  const bool mesh = !sculpture.options.target.mesh.empty();
-  if (mesh == !sculpture.options.target.sdf.empty()) {
-    throw Problem{".options.target", "does not name exactly one of mesh and sdf"};
+  const Scene::Target& target = sculpture.options.target;
+  if (int{!target.mesh.empty()} + int{!target.sdf.empty()} + int{!target.text.string.empty()} !=
+      1) {
+    throw Problem{".options.target", "does not name exactly one of mesh, sdf and text"};
+  }
+  for (std::size_t k = 0; k < sculpture.options.elements.size(); ++k) {
+    const Scene::Element& element = sculpture.options.elements[k];
+    if (element.mesh.empty() == element.text.string.empty()) {
+      throw Problem{".options.element[" + std::to_string(k) + "]",
+                    "does not name exactly one of mesh and text"};
+    }
   }
 }
 

@@ -123,6 +123,24 @@ Key parsed_key(const Scene& scene, const std::string& text) {
   return {known_option("element." + std::string(rest.substr(dot + 1)), text), *element};
 }
 
+/// A target or an element has one shape: the one that was set last.
+void leave_one_shape(Scene& scene, const std::string& key, std::size_t element) {
+  if (key == "target.mesh") {
+    scene.target.sdf.clear();
+    scene.target.text.string.clear();
+  } else if (key == "target.sdf") {
+    scene.target.mesh.clear();
+    scene.target.text.string.clear();
+  } else if (key == "target.text.string") {
+    scene.target.mesh.clear();
+    scene.target.sdf.clear();
+  } else if (key == "element.mesh") {
+    scene.elements[element].text.string.clear();
+  } else if (key == "element.text.string") {
+    scene.elements[element].mesh.clear();
+  }
+}
+
 }  // namespace
 
 void set_option(Scene& scene, const std::string& assignment) {
@@ -137,11 +155,7 @@ void set_option(Scene& scene, const std::string& assignment) {
       parsed_value(option, trimmed(std::string_view(assignment).substr(equals + 1)));
   const OptionSource command_line{{}, std::filesystem::current_path()};
   option.store(scene, element, checked(option, element, value, command_line));
-  if (option.key == "target.mesh") {
-    scene.target.sdf.clear();
-  } else if (option.key == "target.sdf") {
-    scene.target.mesh.clear();
-  }
+  leave_one_shape(scene, option.key, element);
 }
 
 }  // namespace collage

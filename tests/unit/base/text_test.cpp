@@ -38,5 +38,29 @@ TEST(Grouped, PartsThousands) {
   EXPECT_EQ(grouped(std::numeric_limits<std::uint64_t>::max()), "18,446,744,073,709,551,615");
 }
 
+/// The characters of a text; U+0000 for what is none.
+std::u32string characters(std::string_view text) {
+  std::u32string result;
+  while (!text.empty()) {
+    result += take_character(text).value_or(0);
+  }
+  return result;
+}
+
+TEST(TakeCharacter, ReadsUtf8) {
+  EXPECT_EQ(characters("aß€😀"), U"aß€😀");
+  EXPECT_EQ(characters("\x7f\xc2\x80\xf4\x8f\xbf\xbf"), U"\u007f\u0080\U0010ffff");
+}
+
+TEST(TakeCharacter, RefusesWhatIsNone) {
+  using namespace std::string_view_literals;
+  const std::u32string none(1, U'\0');
+  for (const auto& text : {"\xff"sv, "\x80"sv, "\xc0"sv, "\xe2\x82"sv, "\xe0\x80\xaf"sv,
+                           "\xed\xa0\x80"sv, "\xf0\x8f\xbf\xbf"sv, "\xf4\x90\x80\x80"sv}) {
+    EXPECT_EQ(characters(text), none);
+  }
+  EXPECT_EQ(characters("\xe2z"), none + U"z");
+}
+
 }  // namespace
 }  // namespace collage

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "geometry/mesh_file.h"
 #include "unit/scene/support.h"
 
 namespace collage {
@@ -41,6 +42,16 @@ TEST(CopyInputs, TakesItsOwnCopies) {
   const auto mesh = folder.write("meshes/target/cup.obj", "mesh");
   EXPECT_EQ(copy_inputs({mesh}, folder.path(), "target", status).path, "meshes/target/cup.obj");
   EXPECT_EQ(read_file(mesh), "mesh");
+}
+
+TEST(CopyInputs, WritesWhatWasMade) {
+  const TemporaryFolder folder;
+  const Sculpture::Input input =
+      write_input(testing::cube(), "letters", folder.path(), "element-3");
+  EXPECT_EQ(input.path, "meshes/element-3/letters.obj");
+  EXPECT_EQ(input.sha256, sha256(read_file(folder.path() / input.path)));
+  RecordingStatus status;
+  EXPECT_EQ(read_obj(folder.path() / input.path, status).mesh.positions, testing::cube().positions);
 }
 
 }  // namespace

@@ -158,7 +158,58 @@ TEST_F(SceneFile, NamesWhatIsMissing) {
   EXPECT_EQ(error("[target]\nmesh = 'body.obj'\n"),
             "scene.toml: has no element; add [[element]] with mesh = \"shape.obj\"");
   EXPECT_EQ(error("[target]\nmesh = 'body.obj'\n[[element]]\nweight = 1\n"),
-            "scene.toml:3: this [[element]] has no mesh; add mesh = \"shape.obj\"");
+            "scene.toml:3: this [[element]] has no shape; add mesh = \"shape.obj\"");
+}
+
+TEST_F(SceneFile, ReadsLetters) {
+  folder.write("own.otf", "");
+  const Scene scene = read(R"([target]
+text = { string = "Cä", font = "DejaVu Serif:bold", depth = 1, bevel = 0.03 }
+[[element]]
+text.string = "C"
+[[element]]
+[element.text]
+string = "O"
+font = "own.otf"
+)");
+  EXPECT_EQ(scene.target.text.string, "Cä");
+  EXPECT_EQ(scene.target.text.font, "DejaVu Serif:bold");
+  EXPECT_EQ(scene.target.text.depth, 1.0);
+  EXPECT_EQ(scene.target.text.bevel, 0.03);
+  EXPECT_TRUE(scene.target.mesh.empty());
+  EXPECT_EQ(scene.elements.at(0).text.string, "C");
+  EXPECT_EQ(scene.elements.at(0).text.font, LetterOptions{}.font);
+  EXPECT_EQ(scene.elements.at(0).name(), "C");
+  EXPECT_EQ(scene.elements.at(1).text.font, (folder.path() / "own.otf").string());
+}
+
+TEST_F(SceneFile, NamesWhatIsWrongWithLetters) {
+  const auto target = [&](const std::string& lines) {
+    return error("[target]\n" + lines + "\n[[element]]\nmesh = 'cup.obj'\n");
+  };
+  EXPECT_EQ(target("text = 'C'"), "scene.toml:2: 'text' is a table; write text = { string = … }");
+  EXPECT_EQ(target("text = { strng = 'C' }"),
+            "scene.toml:2: there is no key 'strng' in [target.text]; did you mean 'string'?");
+  EXPECT_EQ(target("text = { xyzzyxyzzy = 'C' }"),
+            "scene.toml:2: there is no key 'xyzzyxyzzy' in [target.text]; use one of string, "
+            "font, depth, bevel");
+  EXPECT_EQ(target("txt = 'C'"),
+            "scene.toml:2: there is no key 'txt' in [target]; did you mean 'text'?");
+  EXPECT_EQ(target("text = { font = 'DejaVu Sans' }"),
+            "scene.toml:2: [target] has a text without letters; write text = { string = \"A\" }");
+  EXPECT_EQ(target("text = { string = '' }"),
+            "scene.toml:2: target.text.string = \"\" is empty; use one or more characters");
+  EXPECT_EQ(target("text = { string = 'C', depth = 0 }"),
+            "scene.toml:2: target.text.depth = 0 is out of range; use a number from 0.01 to 10, a "
+            "fraction of a capital letter's height");
+  EXPECT_EQ(target("mesh = 'body.obj'\ntext = { string = 'C' }"),
+            "scene.toml:3: [target] has both mesh and text; keep one of them");
+  EXPECT_EQ(target("text = { string = 'C', font = 'no.ttf' }"),
+            "scene.toml:2: target.text.font: there is no file " +
+                (folder.path() / "no.ttf").string() +
+                "; check the path; it starts from the scene's folder unless it begins with /");
+  EXPECT_EQ(error(std::string(minimal) + "text = { string = 'C' }\n"),
+            "scene.toml:5: this [[element]] has both mesh and text; keep one of them");
 }
 
 TEST_F(SceneFile, NamesTheFileThatIsNotThere) {

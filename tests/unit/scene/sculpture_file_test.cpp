@@ -96,6 +96,23 @@ TEST_F(SculptureFile, NamesOnlyWhatIsInTheFolder) {
   EXPECT_EQ(copy.options.name, folder.path().filename());
 }
 
+TEST_F(SculptureFile, LettersStayLettersAndTheirMeshesAreTheInputs) {
+  Sculpture sculpture = some_sculpture(1);
+  sculpture.options.target.mesh.clear();
+  sculpture.options.target.text = {"C", "DejaVu Sans:bold", 0.5, 0.0};
+  sculpture.options.elements[1].text = {"ß", "/somewhere/own.ttf", 0.25, 0.03};
+  EXPECT_THAT(written(sculpture), ::testing::Not(::testing::HasSubstr("somewhere")));
+  const Sculpture copy = read_sculpture(path);
+  EXPECT_TRUE(copy.options.target.mesh.empty());
+  EXPECT_EQ(copy.options.target.text.string, "C");
+  EXPECT_EQ(copy.target.path, "meshes/target/body.obj");
+  EXPECT_EQ(copy.options.elements[0].mesh, "meshes/element-0/cup.obj");
+  EXPECT_TRUE(copy.options.elements[1].mesh.empty());
+  EXPECT_EQ(copy.options.elements[1].text.string, "ß");
+  EXPECT_EQ(copy.options.elements[1].text.font, "own.ttf");
+  EXPECT_EQ(copy.options.elements[1].text.bevel, 0.03);
+}
+
 TEST_F(SculptureFile, HasOneInstanceALine) {
   const auto lines = [](const std::string& text) {
     return std::count(text.begin(), text.end(), '\n');
@@ -136,6 +153,10 @@ TEST_F(SculptureFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error("\"jitter\": 0.5", "\"jitter\": 5"),
               ::testing::StartsWith("options.target.jitter is not accepted: target.jitter = 5 is "
                                     "out of range"));
+  EXPECT_EQ(error("\"text.string\": \"\"", "\"text.string\": \"C\""),
+            std::string("options.target does not name exactly one of mesh, sdf and text") + remedy);
+  EXPECT_EQ(error("\"mesh\": \"meshes/element-1/hat.obj\"", "\"mesh\": \"\""),
+            std::string("options.element[1] does not name exactly one of mesh and text") + remedy);
   EXPECT_THAT(error("\"seed\": 5", "\"seed\": nan"), ::testing::StartsWith("is not JSON: "));
 }
 

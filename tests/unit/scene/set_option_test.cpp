@@ -50,6 +50,24 @@ TEST(SetOption, ReplacesTheTarget) {
   set_option(scene, "target.sdf=" + grid.string());
   EXPECT_EQ(scene.target.sdf, grid);
   EXPECT_TRUE(scene.target.mesh.empty());
+  set_option(scene, "target.text.string=Cä");
+  EXPECT_EQ(scene.target.text.string, "Cä");
+  EXPECT_TRUE(scene.target.sdf.empty());
+  set_option(scene, "target.mesh=" + grid.string());
+  EXPECT_EQ(scene.target.text.string, "");
+}
+
+TEST(SetOption, ReplacesAnElement) {
+  const testing::TemporaryFolder folder;
+  Scene scene = scene_of_two();
+  scene.elements[1].mesh = "cup.obj";
+  set_option(scene, "element.1.text.string=e");
+  set_option(scene, "element.1.text.depth=0.25");
+  EXPECT_EQ(scene.elements[1].text.string, "e");
+  EXPECT_EQ(scene.elements[1].text.depth, 0.25);
+  EXPECT_TRUE(scene.elements[1].mesh.empty());
+  set_option(scene, "element.1.mesh=" + folder.write("cup.obj", "").string());
+  EXPECT_EQ(scene.elements[1].text.string, "");
 }
 
 TEST(SetOption, SaysWhatIsWrong) {
