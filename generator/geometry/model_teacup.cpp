@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/model_materials.h"
 #include "geometry/models.h"
+#include "geometry/smooth_normals.h"
 #include "geometry/sweep.h"
 
 namespace collage {
@@ -96,12 +98,7 @@ Mesh make_teacup(int segments) {
   }
   append_rings(mesh, rings);
   set_smooth_normals(mesh, crease_degrees);
-  Material glaze;
-  glaze.name = "glaze";
-  glaze.color = dvec3(0.86, 0.83, 0.76);
-  glaze.specular = dvec3(0.4);
-  glaze.shininess = 250.0;
-  mesh.materials.push_back(glaze);
+  mesh.materials.push_back(glaze("glaze", {0.86, 0.83, 0.76}));
   return mesh;
 }
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "geometry/bounding_sphere.h"
 #include "geometry/mesh_check.h"
+#include "mesh_quality.h"
 
 namespace collage {
 namespace {
@@ -103,6 +106,65 @@ TEST(Models, SphereIsRound) {
   EXPECT_EQ(sphere.triangles.size(), 1280U);
   EXPECT_NEAR(smallest_enclosing_sphere(sphere.positions).radius, 1.0, 1e-14);
   EXPECT_NEAR(enclosed_volume(sphere), 4.0 / 3.0 * std::numbers::pi, 0.05);
+}
+
+struct Expected {
+  std::size_t least_triangles;
+  std::size_t most_triangles;
+  std::size_t parts;
+  int genus;
+};
+
+/// All but teapot and teacup, whose parts pass through each other.
+const std::map<std::string_view, Expected> own_models = {
+    {"sphere", {1280, 1280, 1, 0}},
+    {"carrot", {200, 300, 5, 0}},
+    {"top-hat", {288, 288, 1, 0}},
+    {"bowl", {1000, 2000, 1, 0}},
+    {"bowl-inside", {500, 1500, 1, 0}},
+    {"spoon", {300, 700, 1, 0}},
+    {"cereal-ring", {108, 248, 1, 1}},
+    {"cereal-loop", {108, 248, 1, 1}},
+    {"cereal-flake", {108, 248, 1, 0}},
+    {"cereal-star", {108, 248, 1, 0}},
+    {"cereal-puff", {108, 248, 1, 0}},
+    {"chair", {1100, 1200, 16, 0}},
+    {"chair-target", {1000, 10000, 1, 2}},
+    {"topmod1-a", {72, 480, 1, 3}},
+    {"topmod1-b", {72, 480, 1, 4}},
+    {"topmod1-c", {72, 480, 1, 2}},
+    {"topmod1-target", {2000, 10000, 1, 6}},
+    {"topmod2-a", {72, 480, 1, 3}},
+    {"topmod2-b", {72, 480, 1, 4}},
+    {"topmod2-c", {72, 480, 1, 3}},
+    {"topmod2-target", {2000, 10000, 1, 11}},
+    {"topmod3-a", {72, 480, 3, 3}},
+    {"topmod3-b", {72, 480, 4, 4}},
+    {"topmod3-c", {72, 480, 1, 1}},
+    {"topmod3-target", {2000, 10000, 6, 6}},
+};
+
+TEST(Models, OwnModelsAreManifoldAndNowhereMeetThemselves) {
+  std::size_t looked_at = 0;
+  for (const StarterModel& model : starter_models()) {
+    const auto expected = own_models.find(model.name);
+    if (expected == own_models.end()) {
+      continue;
+    }
+    SCOPED_TRACE(model.name);
+    ++looked_at;
+    const Mesh mesh = model.make();
+    const MeshReport report = check_mesh(mesh);
+    EXPECT_GE(report.triangles, expected->second.least_triangles);
+    EXPECT_LE(report.triangles, expected->second.most_triangles);
+    EXPECT_EQ(report.parts, expected->second.parts);
+    EXPECT_EQ(report.vertices, mesh.positions.size());
+    EXPECT_EQ(genus_of(mesh), expected->second.genus);
+    EXPECT_GT(report.volume, 0.0);
+    EXPECT_EQ(self_intersections(mesh), 0U);
+  }
+  EXPECT_EQ(looked_at, own_models.size());
+  EXPECT_EQ(starter_models().size(), own_models.size() + 2);
 }
 
 }  // namespace

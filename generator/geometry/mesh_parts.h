@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "geometry/mesh.h"
+
+namespace collage {
+
+/// Adds another mesh's positions and triangles, of which all get `material`. Of `part` only these
+/// are taken; normals are to be set once the whole is there.
+void append_part(Mesh& mesh, const Mesh& part, const Material& material);
+
+/// Gives `material` to the triangles from `first` to before `end`.
+void paint(Mesh& mesh, const Material& material, std::size_t first, std::size_t end);
+
+/// Moves each position; rounded to_millionths().
+void deform(Mesh& mesh, const std::function<dvec3(const dvec3&)>& moved);
+
+/// Moves and scales the mesh to where its smallest enclosing sphere is the unit sphere.
+void fit_unit_sphere(Mesh& mesh);
+
+}  // namespace collage
