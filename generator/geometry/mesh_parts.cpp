@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/bounding_sphere.h"
+#include "geometry/smooth_normals.h"
 
 namespace collage {
 namespace {
@@ -41,9 +42,17 @@ void deform(Mesh& mesh, const std::function<dvec3(const dvec3&)>& moved) {
                  [&](const dvec3& position) { return to_millionths(moved(position)); });
 }
 
-void fit_unit_sphere(Mesh& mesh) {
+Mesh in_unit_sphere(Mesh mesh) {
   const Sphere sphere = smallest_enclosing_sphere(mesh.positions);
   deform(mesh, [&](const dvec3& position) { return (position - sphere.center) / sphere.radius; });
+  return mesh;
+}
+
+Mesh make_model(const Mesh& shape, const Material& material, double crease_degrees) {
+  Mesh mesh;
+  append_part(mesh, shape, material);
+  set_smooth_normals(mesh, crease_degrees);
+  return mesh;
 }
 
 }  // namespace collage

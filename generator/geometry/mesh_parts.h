@@ -17,7 +17,10 @@ void paint(Mesh& mesh, const Material& material, std::size_t first, std::size_t 
 /// Moves each position; rounded to_millionths().
 void deform(Mesh& mesh, const std::function<dvec3(const dvec3&)>& moved);
 
-/// Moves and scales the mesh to where its smallest enclosing sphere is the unit sphere.
-void fit_unit_sphere(Mesh& mesh);
+/// Moved and scaled to where its smallest enclosing sphere is the unit sphere.
+Mesh in_unit_sphere(Mesh mesh);
+
+/// A model of one material, with smooth normals but for edges sharper than `crease_degrees`.
+Mesh make_model(const Mesh& shape, const Material& material, double crease_degrees);
 
 }  // namespace collage

@@ -65,10 +65,7 @@ Mesh make_bowl_inside() {
   }
   Mesh space;
   append_rings(space, lathe(profile, segments, 0.0));
-  Mesh mesh;
-  append_part(mesh, space, milk());
-  set_smooth_normals(mesh, 40.0);
-  return mesh;
+  return make_model(space, milk(), 40.0);
 }
 
 }  // namespace collage

@@ -12,18 +12,16 @@
 namespace collage {
 namespace {
 
-/// From the tip to the bottom of the dimple in the crown; the swellings between make the rings of
-/// the skin.
-constexpr std::array<ProfilePoint, 10> root_profile = {{{0.0, 0.0},
-                                                        {0.05, 0.16},
-                                                        {0.115, 0.55},
-                                                        {0.2, 0.95},
-                                                        {0.255, 1.28},
-                                                        {0.33, 1.6},
-                                                        {0.385, 1.93},
-                                                        {0.33, 2.13},
-                                                        {0.17, 2.17},
-                                                        {0.0, 2.1}}};
+/// From the tip to the bottom of the dimple in the crown.
+constexpr std::array<ProfilePoint, 9> root_profile = {{{0.0, 0.0},
+                                                       {0.05, 0.17},
+                                                       {0.155, 0.72},
+                                                       {0.235, 1.16},
+                                                       {0.325, 1.57},
+                                                       {0.385, 1.93},
+                                                       {0.33, 2.13},
+                                                       {0.17, 2.17},
+                                                       {0.0, 2.1}}};
 
 /// Roots grow a little crooked and not quite round.
 dvec3 grown(const dvec3& p) {
@@ -39,28 +37,32 @@ struct Frond {
   double reach;
   double height;
 };
-constexpr std::array<Frond, 4> fronds = {
-    {{10.0, 0.62, 0.98}, {105.0, 0.5, 1.2}, {190.0, 0.72, 0.86}, {285.0, 0.45, 1.1}}};
+constexpr std::array<Frond, 5> fronds = {{{5.0, 0.75, 0.85},
+                                          {80.0, 0.5, 1.15},
+                                          {150.0, 0.8, 0.95},
+                                          {222.0, 0.42, 1.3},
+                                          {295.0, 0.66, 1.05}}};
 
-/// Half the frond's width from its foot to its tip: a stalk, then pairs of leaflets.
-constexpr std::array half_widths = {0.032, 0.026, 0.15, 0.07, 0.18, 0.07, 0.13, 0.0};
+/// Half the frond's width from its foot to its tip: a stalk, then leaflets in pairs.
+constexpr std::array half_widths = {0.034, 0.028, 0.19, 0.07, 0.2, 0.055, 0.0};
 
-/// A frond with a ridge along its upper side.
+/// A frond with a ridge along its upper side; its leaflets point to the tip.
 Mesh make_frond(const Frond& frond) {
   const double azimuth = glm::radians(frond.azimuth_degrees);
   const dvec3 out(std::cos(azimuth), 0.0, -std::sin(azimuth));
-  const dvec3 foot = 0.085 * out + dvec3(0.0, 2.185, 0.0);
+  const dvec3 foot = 0.09 * out + dvec3(0.0, 2.185, 0.0);
   const dvec3 tip = foot + frond.reach * out + dvec3(0.0, frond.height, 0.0);
   const auto curve =
-      bezier_curve(foot, foot + dvec3(0.0, 0.5 * frond.height, 0.0), tip - 0.4 * frond.reach * out,
-                   tip, static_cast<int>(half_widths.size()) - 1);
+      bezier_curve(foot, foot + dvec3(0.0, 0.55 * frond.height, 0.0),
+                   tip - 0.45 * frond.reach * out, tip, static_cast<int>(half_widths.size()) - 1);
   const std::vector<Frame> frames = frames_along(curve, out);
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const double w = half_widths[i];
     const double ridge = w > 0.0 ? 0.022 : 0.0;
-    const std::array<dvec2, 3> section = {{{-ridge, 0.0}, {ridge, -w}, {ridge, w}}};
-    rings.push_back(section_ring(frames[i], section));
+    const dvec3 forward = 0.7 * glm::max(0.0, w - 0.06) * frames[i].along;
+    rings.push_back({frames[i].point({-ridge, 0.0}), frames[i].point({ridge, -w}) + forward,
+                     frames[i].point({ridge, w}) + forward});
   }
   Mesh mesh;
   append_rings(mesh, rings);

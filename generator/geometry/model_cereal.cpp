@@ -8,7 +8,6 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/model_materials.h"
 #include "geometry/models.h"
-#include "geometry/smooth_normals.h"
 #include "geometry/subdivision.h"
 #include "geometry/sweep.h"
 
@@ -40,12 +39,7 @@ Frame across_circle(double angle, double radius, double height) {
           dvec3(0.0, -1.0, 0.0)};
 }
 
-Mesh baked(const Mesh& dough, const dvec3& color) {
-  Mesh mesh;
-  append_part(mesh, dough, cereal(color));
-  set_smooth_normals(mesh, 85.0);
-  return mesh;
-}
+Mesh baked(const Mesh& dough, const dvec3& color) { return make_model(dough, cereal(color), 85.0); }
 
 }  // namespace
 

@@ -168,10 +168,7 @@ Mesh make_chair_target() {
     const double splay = 1.0 + 0.08 * glm::max(0.0, 0.9 - p.y);
     return dvec3(splay * p.x, p.y, splay * p.z - lean);
   });
-  Mesh mesh;
-  append_part(mesh, solid, wood());
-  set_smooth_normals(mesh, 50.0);
-  return mesh;
+  return make_model(solid, wood(), 50.0);
 }
 
 }  // namespace collage

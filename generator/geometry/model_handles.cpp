@@ -1,17 +1,20 @@
 #include <array>
+#include <numbers>
+#include <utility>
 #include <vector>
 
-#include "geometry/extrusion.h"
 #include "geometry/handles.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/model_materials.h"
 #include "geometry/models.h"
 #include "geometry/polyhedra.h"
-#include "geometry/smooth_normals.h"
 #include "geometry/subdivision.h"
 
 namespace collage {
 namespace {
+
+constexpr dvec3 vermilion(0.62, 0.12, 0.045);
+constexpr dvec3 amber(0.80, 0.42, 0.07);
 
 /// The face whose normal is nearest to a direction.
 std::uint32_t face_towards(const PolygonMesh& mesh, const dvec3& direction) {
@@ -25,27 +28,23 @@ std::uint32_t face_towards(const PolygonMesh& mesh, const dvec3& direction) {
 }
 
 Mesh lacquered(const PolygonMesh& shape, const dvec3& color) {
-  Mesh mesh;
-  append_part(mesh, triangulated(shape), lacquer(color));
-  fit_unit_sphere(mesh);
-  set_smooth_normals(mesh, 85.0);
-  return mesh;
+  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), 85.0);
 }
 
 }  // namespace
 
 Mesh make_handled_cube() {
-  PolygonMesh cube = regular_cube();
+  const PolygonMesh cube = regular_cube();
   const std::array<FacePair, 3> pairs = {
       {{face_towards(cube, {1, 0, 0}), face_towards(cube, {0, 1, 0})},
        {face_towards(cube, {0, 0, 1}), face_towards(cube, {-1, 0, 0})},
        {face_towards(cube, {0, -1, 0}), face_towards(cube, {0, 0, -1})}}};
   return lacquered(doo_sabin(with_handles(cube, pairs, {.steps = 4, .reach = 2.1, .waist = 0.5})),
-                   {0.62, 0.12, 0.045});
+                   vermilion);
 }
 
 Mesh make_handled_octahedron() {
-  PolygonMesh shape = regular_octahedron();
+  const PolygonMesh shape = regular_octahedron();
   std::vector<FacePair> pairs;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -53,31 +52,30 @@ Mesh make_handled_octahedron() {
     }
   }
   return lacquered(doo_sabin(with_handles(shape, pairs, {.steps = 4, .reach = 2.0, .waist = 0.6})),
-                   {0.80, 0.42, 0.07});
+                   amber);
 }
 
 Mesh make_handled_tetrahedron() {
   const std::array<FacePair, 2> pairs = {{{0, 1}, {2, 3}}};
   return lacquered(doo_sabin(with_handles(regular_tetrahedron(), pairs,
                                           {.steps = 6, .reach = 2.6, .waist = 0.55})),
-                   {0.80, 0.42, 0.07});
+                   amber);
 }
 
 Mesh make_handled_target() {
-  PolygonMesh shape = regular_dodecahedron();
+  const PolygonMesh shape = regular_dodecahedron();
+  // The faces of a dodecahedron lie towards the corners of three rectangles; each handle spans one
+  // of their short sides.
   std::vector<FacePair> pairs;
-  constexpr double phi = std::numbers::phi;
-  for (const double sign : {-1.0, 1.0}) {
-    pairs.push_back(
-        {face_towards(shape, {sign * phi, 1, 0}), face_towards(shape, {sign * phi, -1, 0})});
-    pairs.push_back(
-        {face_towards(shape, {0, sign * phi, 1}), face_towards(shape, {0, sign * phi, -1})});
-    pairs.push_back(
-        {face_towards(shape, {1, 0, sign * phi}), face_towards(shape, {-1, 0, sign * phi})});
+  for (const double far : {-std::numbers::phi, std::numbers::phi}) {
+    for (const auto& [a, b] : {std::pair(dvec3(far, 1, 0), dvec3(far, -1, 0)),
+                               std::pair(dvec3(0, far, 1), dvec3(0, far, -1)),
+                               std::pair(dvec3(1, 0, far), dvec3(-1, 0, far))}) {
+      pairs.push_back({face_towards(shape, a), face_towards(shape, b)});
+    }
   }
-  return lacquered(
-      doo_sabin(doo_sabin(with_handles(shape, pairs, {.steps = 6, .reach = 1.9, .waist = 0.75}))),
-      {0.62, 0.12, 0.045});
+  const PolygonMesh handled = with_handles(shape, pairs, {.steps = 6, .reach = 1.9, .waist = 0.75});
+  return lacquered(doo_sabin(doo_sabin(handled)), vermilion);
 }
 
 }  // namespace collage

@@ -5,7 +5,6 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/model_materials.h"
 #include "geometry/models.h"
-#include "geometry/smooth_normals.h"
 #include "geometry/sweep.h"
 
 namespace collage {
@@ -62,10 +61,7 @@ Mesh make_spoon() {
   }
   Mesh metal;
   append_rings(metal, rings);
-  Mesh mesh;
-  append_part(mesh, metal, steel());
-  set_smooth_normals(mesh, 50.0);
-  return mesh;
+  return make_model(metal, steel(), 50.0);
 }
 
 }  // namespace collage

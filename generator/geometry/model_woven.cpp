@@ -7,31 +7,38 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/model_materials.h"
 #include "geometry/models.h"
-#include "geometry/smooth_normals.h"
 #include "geometry/sweep.h"
 
 namespace collage {
 namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr dvec3 wine(0.33, 0.02, 0.06);
+constexpr dvec3 ivory(0.75, 0.70, 0.60);
 
+/// Hoops on great circles of the unit sphere.
 struct Weave {
+  /// How often each hoop crosses others, at equal distances.
+  int crossings;
   int segments;
-  /// Half the hoops' width, along the sphere, and half their thickness, across it.
+  /// Along the sphere, and across it.
   double half_width;
   double half_thickness;
-  /// How far over and under the sphere they run where they cross.
+  /// How far over and under the sphere a hoop runs where it crosses others.
   double rise;
   int section_corners;
 };
 
-/// The great circle across an axis, from `start` on.
+/// The point of the great circle across `axis` at an angle from `start`.
 dvec3 on_circle(const dvec3& axis, const dvec3& start, double angle) {
   return std::cos(angle) * start + std::sin(angle) * glm::cross(axis, start);
 }
 
-/// A hoop that swings between over and under, from over at `start` through `crossings` crossings.
-Mesh hoop(const dvec3& axis, const dvec3& start, int crossings, const Weave& weave) {
+/// 1 where a hoop that is over at its start is over, -1 where it is under.
+double height(const Weave& weave, double angle) { return std::cos(0.5 * weave.crossings * angle); }
+
+/// Adds a hoop that is over at `start`.
+void append_hoop(Mesh& mesh, const dvec3& axis, const dvec3& start, const Weave& weave) {
   const std::vector<dvec2> section =
       ellipse(weave.half_thickness, weave.half_width, weave.section_corners,
               std::numbers::pi / weave.section_corners);
@@ -40,41 +47,30 @@ Mesh hoop(const dvec3& axis, const dvec3& start, int crossings, const Weave& wea
     const double angle = full_turn * i / weave.segments;
     const dvec3 out = on_circle(axis, start, angle);
     const dvec3 along = glm::cross(axis, out);
-    const double radius = 1.0 + weave.rise * std::cos(0.5 * crossings * angle);
-    rings.push_back(section_ring({radius * out, along, out, glm::cross(along, out)}, section));
+    const dvec3 middle = (1.0 + weave.rise * height(weave, angle)) * out;
+    rings.push_back(section_ring({middle, along, out, -axis}, section));
   }
-  Mesh mesh;
   append_ring_loop(mesh, rings);
-  return mesh;
 }
 
-/// Hoops across all axes. Each is `over` where its start says so; of two hoops that cross one must
-/// be over and one under.
-Mesh woven(std::span<const dvec3> axes, int crossings, const Weave& weave, const dvec3& color) {
-  Mesh mesh;
-  std::vector<dvec3> starts;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    // Where it crosses the first hoop, under that; the first begins over where the second is.
-    const dvec3 other = i == 0 ? axes[1] : axes[0];
-    dvec3 start = glm::normalize(glm::cross(axes[i], other));
-    if (i > 0) {
-      const dvec3 axis = axes[0];
-      const double turn =
-          std::atan2(glm::dot(glm::cross(starts[0], start), axis), glm::dot(starts[0], start));
-      const bool first_is_over = std::cos(0.5 * crossings * turn) > 0.0;
-      if (first_is_over) {
-        start = on_circle(axes[i], start, full_turn / crossings);
-      }
-    }
-    starts.push_back(start);
-    append_part(mesh, hoop(axes[i], start, crossings, weave), lacquer(color));
+/// Hoops across all axes, each over where the other is under.
+Mesh make_woven(std::span<const dvec3> axes, const Weave& weave, const dvec3& color) {
+  const dvec3 first_start = glm::normalize(glm::cross(axes[0], axes[1]));
+  Mesh hoops;
+  append_hoop(hoops, axes[0], first_start, weave);
+  for (const dvec3& axis : axes.subspan(1)) {
+    const dvec3 crossing = glm::normalize(glm::cross(axes[0], axis));
+    const double turn = std::atan2(glm::dot(glm::cross(first_start, crossing), axes[0]),
+                                   glm::dot(first_start, crossing));
+    const bool first_is_over = height(weave, turn) > 0.0;
+    const dvec3 next_crossing = on_circle(axis, crossing, full_turn / weave.crossings);
+    const dvec3 start = first_is_over ? next_crossing : crossing;
+    append_hoop(hoops, axis, start, weave);
   }
-  fit_unit_sphere(mesh);
-  set_smooth_normals(mesh, 60.0);
-  return mesh;
+  return make_model(in_unit_sphere(hoops), lacquer(color), 60.0);
 }
 
-/// The trefoil as the torus knot that goes round the y axis twice and round the tube three times.
+/// The trefoil as the torus knot that goes twice round the y axis and three times round the tube.
 dvec3 trefoil(double angle) {
   const double radius = 1.0 + 0.52 * std::cos(3.0 * angle);
   return {radius * std::cos(2.0 * angle), 0.6 * std::sin(3.0 * angle),
@@ -84,27 +80,28 @@ dvec3 trefoil(double angle) {
 }  // namespace
 
 Mesh make_woven_octahedron() {
-  const std::array<dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  return woven(axes, 4, {20, 0.2, 0.09, 0.14, 4}, {0.33, 0.02, 0.06});
+  constexpr std::array<dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  return make_woven(axes,
+                    {.crossings = 4,
+                     .segments = 20,
+                     .half_width = 0.2,
+                     .half_thickness = 0.09,
+                     .rise = 0.14,
+                     .section_corners = 4},
+                    wine);
 }
 
 Mesh make_woven_cuboctahedron() {
-  std::vector<dvec3> axes;
-  for (const dvec3& axis : {dvec3(1, 1, 1), dvec3(1, -1, -1), dvec3(-1, 1, -1), dvec3(-1, -1, 1)}) {
-    axes.push_back(glm::normalize(axis));
-  }
-  return woven(axes, 6, {18, 0.14, 0.1, 0.13, 3}, {0.75, 0.70, 0.60});
-}
-
-Mesh make_woven_target() {
-  constexpr double phi = std::numbers::phi;
-  std::vector<dvec3> axes;
-  for (const double sign : {-1.0, 1.0}) {
-    for (const dvec3& axis : {dvec3(0, sign, phi), dvec3(sign, phi, 0), dvec3(phi, 0, sign)}) {
-      axes.push_back(glm::normalize(axis));
-    }
-  }
-  return woven(axes, 10, {60, 0.165, 0.12, 0.18, 8}, {0.33, 0.02, 0.06});
+  const double s = std::sqrt(1.0 / 3.0);
+  const std::array<dvec3, 4> axes = {{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}}};
+  return make_woven(axes,
+                    {.crossings = 6,
+                     .segments = 18,
+                     .half_width = 0.14,
+                     .half_thickness = 0.1,
+                     .rise = 0.13,
+                     .section_corners = 3},
+                    ivory);
 }
 
 Mesh make_trefoil() {
@@ -115,18 +112,32 @@ Mesh make_trefoil() {
     const double angle = full_turn * i / segments;
     const dvec3 here = trefoil(angle);
     const dvec3 along = glm::normalize(trefoil(angle + 1e-4) - trefoil(angle - 1e-4));
-    // Sections stand on the torus on which the knot lies.
-    const dvec3 spoke = here - glm::normalize(dvec3(here.x, 0.0, here.z));
-    const dvec3 u = glm::normalize(spoke - glm::dot(spoke, along) * along);
+    // Away from the middle of the torus's tube: sections turn with the knot and close.
+    const dvec3 out = here - glm::normalize(dvec3(here.x, 0.0, here.z));
+    const dvec3 u = glm::normalize(out - glm::dot(out, along) * along);
     rings.push_back(section_ring({here, along, u, glm::cross(along, u)}, section));
   }
   Mesh knot;
   append_ring_loop(knot, rings);
-  Mesh mesh;
-  append_part(mesh, knot, lacquer({0.75, 0.70, 0.60}));
-  fit_unit_sphere(mesh);
-  set_smooth_normals(mesh, 85.0);
-  return mesh;
+  return make_model(in_unit_sphere(knot), lacquer(ivory), 85.0);
+}
+
+Mesh make_woven_target() {
+  // The great circles of the icosidodecahedron.
+  std::vector<dvec3> axes;
+  for (const double phi : {-std::numbers::phi, std::numbers::phi}) {
+    for (const dvec3& axis : {dvec3(0, 1, phi), dvec3(1, phi, 0), dvec3(phi, 0, 1)}) {
+      axes.push_back(glm::normalize(axis));
+    }
+  }
+  return make_woven(axes,
+                    {.crossings = 10,
+                     .segments = 60,
+                     .half_width = 0.165,
+                     .half_thickness = 0.12,
+                     .rise = 0.18,
+                     .section_corners = 8},
+                    wine);
 }
 
 }  // namespace collage

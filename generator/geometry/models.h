@@ -28,8 +28,8 @@ Mesh make_teacup(int segments);
 /// all vertices on the sphere.
 Mesh make_sphere(int subdivisions);
 
-/// A carrot, tip down, with fronds of greens, each a part of its own just off the crown; about 3
-/// tall.
+/// A carrot, tip down, with five fronds of greens, each a part of its own just off the crown;
+/// 3.5 tall.
 Mesh make_carrot();
 
 /// A top hat of felt with a satin ribbon, hollow, its brim curled up at +x and -x; about 2 wide.
@@ -70,7 +70,8 @@ Mesh make_handled_cube();
 Mesh make_handled_octahedron();
 Mesh make_handled_tetrahedron();
 Mesh make_handled_target();
-/// Hollow polyhedra with a window in each face, smoothed by Catmull and Clark's subdivision.
+/// Hollow polyhedra with a window in each face, smoothed by
+/// subdivision.
 Mesh make_rind_tetrahedron();
 Mesh make_rind_prism();
 Mesh make_rind_octahedron();

@@ -118,7 +118,7 @@ struct Expected {
 /// All but teapot and teacup, whose parts pass through each other.
 const std::map<std::string_view, Expected> own_models = {
     {"sphere", {1280, 1280, 1, 0}},
-    {"carrot", {200, 300, 5, 0}},
+    {"carrot", {200, 300, 6, 0}},
     {"top-hat", {288, 288, 1, 0}},
     {"bowl", {1000, 2000, 1, 0}},
     {"bowl-inside", {500, 1500, 1, 0}},
