@@ -61,6 +61,7 @@ class CommandLine {
   std::vector<std::filesystem::path> meshes_;
   std::string model_;
   std::filesystem::path model_output_;
+  bool all_models_ = false;
 };
 
 CommandLine::CommandLine() {
@@ -215,10 +216,14 @@ void CommandLine::add_small_commands() {
   check->callback([this] { run_ = [this](Terminal& t) { return run_check(meshes_, t); }; });
 
   CLI::App* model = add("model", "Write a starter model as OBJ; without a name, list them");
-  model->add_option("name", model_);
+  CLI::Option* name = model->add_option("name", model_);
+  model->add_flag("--all", all_models_, "Write all of them, -o being a folder")->excludes(name);
   model->add_option("-o,--output", model_output_, "By default the name with .obj");
-  model->callback(
-      [this] { run_ = [this](Terminal&) { return run_model(model_, model_output_); }; });
+  model->callback([this] {
+    run_ = [this](Terminal&) {
+      return all_models_ ? run_all_models(model_output_) : run_model(model_, model_output_);
+    };
+  });
 
   add("scenes", "List the scenes that come with the program")->callback([this] {
     run_ = [](Terminal&) { return run_scenes(); };

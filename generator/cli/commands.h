@@ -90,6 +90,7 @@ int run_export(const ExportArguments& arguments, Terminal& terminal);
 
 int run_check(const std::vector<std::filesystem::path>& meshes, Terminal& terminal);
 int run_model(const std::string& name, const std::filesystem::path& output);
+int run_all_models(const std::filesystem::path& folder);
 int run_scenes();
 int run_options(CommonArguments::Output output);
 

@@ -69,6 +69,12 @@ std::string comparison_json(const Comparison& comparison) {
   return text + "}\n";
 }
 
+void write_model(const StarterModel& model, const fs::path& path) {
+  write_obj(path, model.make(),
+            fmt::format("collage model {} -o {}", model.name, path.filename().string()));
+  fmt::print("{}\n", path.string());
+}
+
 std::string comparison_text(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n", word(comparison.verdict), comparison.reason);
   if (comparison.numbers && comparison.verdict != Verdict::same) {
@@ -151,7 +157,7 @@ int run_model(const std::string& name, const fs::path& output) {
                                   [&](const StarterModel& m) { return m.name == name; });
   if (name.empty()) {
     for (const StarterModel& m : models) {
-      fmt::print("{:12} {}\n", m.name, m.description);
+      fmt::print("{:15} {}\n", m.name, m.description);
     }
     return 0;
   }
@@ -163,9 +169,14 @@ int run_model(const std::string& name, const fs::path& output) {
     throw Error("there is no model '" + name + "'",
                 guess.empty() ? "`collage model` lists those that there are" : guess);
   }
-  const fs::path path = output.empty() ? fs::path(name + ".obj") : output;
-  write_obj(path, model->make(), "collage model " + name + " -o " + path.filename().string());
-  fmt::print("{}\n", path.string());
+  write_model(*model, output.empty() ? fs::path(name + ".obj") : output);
+  return 0;
+}
+
+int run_all_models(const fs::path& folder) {
+  for (const StarterModel& model : starter_models()) {
+    write_model(model, folder / fmt::format("{}.obj", model.name));
+  }
   return 0;
 }
 
