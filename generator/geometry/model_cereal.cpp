@@ -117,8 +117,8 @@ Mesh make_cereal_puff() {
   Mesh puff;
   append_rings(puff, lathe(profile, segments, 0.0));
   deform(puff, [](const dvec3& p) {
-    const double lumps = 1.0 + 0.06 * sin(6.0 * p.x + 1.0) * cos(5.0 * p.z) +
-                         0.05 * sin(6.0 * p.y + 2.0) * cos(5.0 * p.x - 1.0) +
+    const double lumps = 1.0 + 0.08 * sin(6.0 * p.x + 1.0) * cos(5.0 * p.z) +
+                         0.07 * sin(6.0 * p.y + 2.0) * cos(5.0 * p.x - 1.0) +
                          0.04 * sin(7.0 * p.z - 3.0 * p.y);
     return lumps * dvec3(1.06 * p.x, 0.95 * p.y, p.z);
   });

@@ -150,15 +150,15 @@ Mesh make_chair() {
 Mesh make_chair_target() {
   // Planes close to each other keep the edges between them firm when the whole is smoothed.
   constexpr std::array xs = {-0.54, -0.5, -0.3, 0.3, 0.5, 0.54};
-  constexpr std::array ys = {0.0,  0.04, 0.5,  0.82, 0.86, 1.02, 1.06,
-                             1.24, 1.44, 1.58, 1.8,  2.02, 2.07};
+  constexpr std::array ys = {0.0, 0.04, 0.5,  0.82, 0.86, 1.02, 1.06,
+                             1.3, 1.46, 1.68, 1.84, 2.02, 2.07};
   constexpr std::array zs = {-0.54, -0.5, -0.3, 0.3, 0.5, 0.54};
   const auto is_solid = [](const dvec3& p) {
     const bool beside = std::abs(p.x) > 0.3;
     const bool in_front_or_behind = std::abs(p.z) > 0.3;
     const bool leg = p.y < 0.82 && beside && in_front_or_behind;
     const bool seat = p.y > 0.82 && p.y < 1.06;
-    const bool in_slat = (p.y > 1.24 && p.y < 1.44) || p.y > 1.58;
+    const bool in_slat = (p.y > 1.3 && p.y < 1.46) || p.y > 1.68;
     const bool back = p.y > 1.06 && p.z < -0.3 && (beside || in_slat);
     return leg || seat || back;
   };

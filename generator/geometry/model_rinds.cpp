@@ -12,6 +12,10 @@
 namespace collage {
 namespace {
 
+constexpr dvec3 teal(0.02, 0.21, 0.28);
+constexpr dvec3 ice(0.42, 0.60, 0.64);
+constexpr dvec3 navy(0.02, 0.055, 0.15);
+
 /// The rind of a polyhedron in which each face of `windows` has a window of `width` times its size.
 PolygonMesh windowed(PolygonMesh shape, const std::vector<std::uint32_t>& windows, double width,
                      double thickness) {
@@ -27,21 +31,20 @@ std::vector<std::uint32_t> all_faces(const PolygonMesh& shape) {
   return faces;
 }
 
-Mesh lacquered(const PolygonMesh& shape) {
-  constexpr dvec3 teal(0.02, 0.21, 0.28);
-  return make_model(in_unit_sphere(triangulated(shape)), lacquer(teal), 85.0);
+Mesh lacquered(const PolygonMesh& shape, const dvec3& color) {
+  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), 85.0);
 }
 
 }  // namespace
 
 Mesh make_rind_tetrahedron() {
   const PolygonMesh shape = regular_tetrahedron();
-  return lacquered(doo_sabin(windowed(shape, all_faces(shape), 0.5, 0.13)));
+  return lacquered(doo_sabin(windowed(shape, all_faces(shape), 0.5, 0.13)), teal);
 }
 
 Mesh make_rind_prism() {
   const PolygonMesh shape = regular_prism(3);
-  return lacquered(doo_sabin(windowed(shape, all_faces(shape), 0.58, 0.135)));
+  return lacquered(doo_sabin(windowed(shape, all_faces(shape), 0.58, 0.135)), ice);
 }
 
 Mesh make_rind_octahedron() {
@@ -53,12 +56,12 @@ Mesh make_rind_octahedron() {
       every_other.push_back(face);
     }
   }
-  return lacquered(doo_sabin(windowed(shape, every_other, 0.75, 0.15)));
+  return lacquered(doo_sabin(windowed(shape, every_other, 0.75, 0.15)), navy);
 }
 
 Mesh make_rind_target() {
   const PolygonMesh shape = regular_dodecahedron();
-  return lacquered(catmull_clark(catmull_clark(windowed(shape, all_faces(shape), 0.6, 0.3))));
+  return lacquered(catmull_clark(catmull_clark(windowed(shape, all_faces(shape), 0.6, 0.3))), teal);
 }
 
 }  // namespace collage

@@ -10,6 +10,7 @@
 
 #include "geometry/bounding_sphere.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
 #include "mesh_quality.h"
 
 namespace collage {
@@ -165,6 +166,39 @@ TEST(Models, OwnModelsAreManifoldAndNowhereMeetThemselves) {
   }
   EXPECT_EQ(looked_at, own_models.size());
   EXPECT_EQ(starter_models().size(), own_models.size() + 2);
+}
+
+TEST(Models, BowlHoldsWhatIsHeapedInIt) {
+  const Mesh bowl = make_bowl();
+  const Mesh inside = make_bowl_inside();
+  Mesh both = bowl;
+  append_part(both, inside, Material());
+  EXPECT_EQ(self_intersections(both), 0U);
+  for (const dvec3& position : inside.positions) {
+    EXPECT_NEAR(turns(bowl, position), 0.0, 1e-9);
+  }
+  EXPECT_GT(bounding_box(inside).max.y, bounding_box(bowl).max.y);
+  EXPECT_LT(bounding_box(inside).extent().x, bounding_box(bowl).extent().x);
+  const MeshReport report = check_mesh(bowl);
+  EXPECT_GT(enclosed_volume(inside), 3.0 * report.volume);  // the wall is thin
+}
+
+TEST(Models, PartsAreOfTheirMaterial) {
+  const Mesh carrot = make_carrot();
+  ASSERT_EQ(carrot.materials.size(), 2U);
+  const Mesh hat = make_top_hat();
+  ASSERT_EQ(hat.materials.size(), 2U);
+  for (std::size_t t = 0; t < carrot.triangles.size(); ++t) {
+    const bool above = carrot.corner(t, 0).y > 2.18;
+    EXPECT_EQ(carrot.materials[carrot.triangle_materials[t]].name, above ? "greens" : "carrot");
+  }
+  for (std::size_t t = 0; t < hat.triangles.size(); ++t) {
+    if (hat.materials[hat.triangle_materials[t]].name == "satin") {
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(std::hypot(hat.corner(t, k).x, hat.corner(t, k).z), 0.565, 0.02);
+      }
+    }
+  }
 }
 
 }  // namespace
