@@ -7,7 +7,7 @@
 namespace collage {
 namespace {
 
-/// The new corner of a face at its corner k (Doo and Sabin 1978, eq. 11).
+/// The new corner of a face at its corner k.
 dvec3 new_corner(const PolygonMesh& mesh, const PolygonMesh::Face& face, std::size_t k) {
   const auto n = static_cast<double>(face.size());
   dvec3 sum = (n + 5.0) / (4.0 * n) * mesh.positions[face[k]];

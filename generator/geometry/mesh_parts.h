@@ -20,6 +20,9 @@ void deform(Mesh& mesh, const std::function<dvec3(const dvec3&)>& moved);
 /// Moved and scaled to where its smallest enclosing sphere is the unit sphere.
 Mesh in_unit_sphere(Mesh mesh);
 
+/// As smooth as can be without normals that point into their triangles.
+inline constexpr double all_smooth_degrees = 85.0;
+
 /// A model of one material, with smooth normals but for edges sharper than `crease_degrees`.
 Mesh make_model(const Mesh& shape, const Material& material, double crease_degrees);
 

@@ -39,7 +39,9 @@ Frame across_circle(double angle, double radius, double height) {
           dvec3(0.0, -1.0, 0.0)};
 }
 
-Mesh baked(const Mesh& dough, const dvec3& color) { return make_model(dough, cereal(color), 85.0); }
+Mesh baked(const Mesh& dough, const dvec3& color) {
+  return make_model(dough, cereal(color), all_smooth_degrees);
+}
 
 }  // namespace
 

@@ -16,19 +16,8 @@ namespace {
 constexpr dvec3 vermilion(0.62, 0.12, 0.045);
 constexpr dvec3 amber(0.80, 0.42, 0.07);
 
-/// The face whose normal is nearest to a direction.
-std::uint32_t face_towards(const PolygonMesh& mesh, const dvec3& direction) {
-  std::uint32_t best = 0;
-  for (std::uint32_t f = 1; f < mesh.faces.size(); ++f) {
-    if (glm::dot(face_normal(mesh, f), direction) > glm::dot(face_normal(mesh, best), direction)) {
-      best = f;
-    }
-  }
-  return best;
-}
-
 Mesh lacquered(const PolygonMesh& shape, const dvec3& color) {
-  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), 85.0);
+  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), all_smooth_degrees);
 }
 
 }  // namespace
@@ -58,7 +47,7 @@ Mesh make_handled_octahedron() {
 Mesh make_handled_tetrahedron() {
   const std::array<FacePair, 2> pairs = {{{0, 1}, {2, 3}}};
   return lacquered(doo_sabin(with_handles(regular_tetrahedron(), pairs,
-                                          {.steps = 6, .reach = 2.6, .waist = 0.55})),
+                                          {.steps = 6, .reach = 3.4, .waist = 0.45, .twist = 1})),
                    amber);
 }
 

@@ -32,7 +32,7 @@ std::vector<std::uint32_t> all_faces(const PolygonMesh& shape) {
 }
 
 Mesh lacquered(const PolygonMesh& shape, const dvec3& color) {
-  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), 85.0);
+  return make_model(in_unit_sphere(triangulated(shape)), lacquer(color), all_smooth_degrees);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ Mesh make_trefoil() {
   }
   Mesh knot;
   append_ring_loop(knot, rings);
-  return make_model(in_unit_sphere(knot), lacquer(ivory), 85.0);
+  return make_model(in_unit_sphere(knot), lacquer(ivory), all_smooth_degrees);
 }
 
 Mesh make_woven_target() {

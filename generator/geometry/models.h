@@ -62,7 +62,7 @@ Mesh make_chair();
 Mesh make_chair_target();
 
 // Three families of shapes of high genus, after those that Muhm 2011, Fig. 20, made in TopMod
-// (Akleman and Chen 2008, "TopMod3D: an interactive topological mesh modeler"); each about 2 wide
+// (Akleman et al. 2008, "TopMod3D: an interactive topological mesh modeler"); each about 2 wide
 // and lacquered. The targets are finer and fuller than the elements beside them.
 
 /// Handles between the faces of a polyhedron, rounded off by Doo and Sabin's subdivision.

@@ -75,6 +75,16 @@ dvec3 face_normal(const PolygonMesh& mesh, std::uint32_t face) {
   return glm::normalize(area);
 }
 
+std::uint32_t face_towards(const PolygonMesh& mesh, const dvec3& direction) {
+  std::uint32_t best = 0;
+  for (std::uint32_t f = 1; f < mesh.faces.size(); ++f) {
+    if (glm::dot(face_normal(mesh, f), direction) > glm::dot(face_normal(mesh, best), direction)) {
+      best = f;
+    }
+  }
+  return best;
+}
+
 void raise_face(PolygonMesh& mesh, std::uint32_t face, std::span<const dvec3> upper) {
   const PolygonMesh::Face lower = mesh.faces[face];
   assert(upper.size() == lower.size());

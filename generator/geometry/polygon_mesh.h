@@ -37,6 +37,9 @@ dvec3 face_middle(const PolygonMesh& mesh, std::uint32_t face);
 /// The unit vector along a face's area vector, outwards.
 dvec3 face_normal(const PolygonMesh& mesh, std::uint32_t face);
 
+/// The face whose normal is nearest to a direction; of equals the first.
+std::uint32_t face_towards(const PolygonMesh& mesh, const dvec3& direction);
+
 /// Joins a face's corners in turn with those of `upper`, a face's worth of new positions, by quads,
 /// and puts the face there: the step of all that grows out of a face.
 void raise_face(PolygonMesh& mesh, std::uint32_t face, std::span<const dvec3> upper);

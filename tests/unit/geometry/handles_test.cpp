@@ -12,20 +12,11 @@
 namespace collage {
 namespace {
 
-std::uint32_t face_at(const PolygonMesh& mesh, const dvec3& direction) {
-  std::uint32_t found = 0;
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    if (glm::dot(face_normal(mesh, f), direction) > 0.999) {
-      found = f;
-    }
-  }
-  return found;
-}
-
 TEST(Handles, EachAddsOneToTheGenus) {
   const PolygonMesh cube = regular_cube();
-  const std::array<FacePair, 2> pairs = {{{face_at(cube, {1, 0, 0}), face_at(cube, {0, 1, 0})},
-                                          {face_at(cube, {-1, 0, 0}), face_at(cube, {0, -1, 0})}}};
+  const std::array<FacePair, 2> pairs = {
+      {{face_towards(cube, {1, 0, 0}), face_towards(cube, {0, 1, 0})},
+       {face_towards(cube, {-1, 0, 0}), face_towards(cube, {0, -1, 0})}}};
   for (int count = 1; count <= 2; ++count) {
     const PolygonMesh mesh =
         with_handles(cube, std::span(pairs).first(count), {.steps = 5, .reach = 2.0, .waist = 0.5});
@@ -39,7 +30,8 @@ TEST(Handles, EachAddsOneToTheGenus) {
 
 TEST(Handles, ANegativeReachBoresATunnel) {
   PolygonMesh cube = regular_cube();
-  const std::array<FacePair, 1> pairs = {{{face_at(cube, {0, 1, 0}), face_at(cube, {0, -1, 0})}}};
+  const std::array<FacePair, 1> pairs = {
+      {{face_towards(cube, {0, 1, 0}), face_towards(cube, {0, -1, 0})}}};
   for (const FacePair& pair : pairs) {
     for (const std::uint32_t face : {pair.from, pair.to}) {
       const dvec3 middle = face_middle(cube, face);
@@ -69,8 +61,8 @@ TEST(Handles, GoStraightUnlessTwisted) {
     two.positions.push_back(position + dvec3(4, 0, 0));
   }
   two.faces.insert(two.faces.end(), other.faces.begin(), other.faces.end());
-  const std::uint32_t right = face_at(regular_cube(), {1, 0, 0});
-  const std::uint32_t left = 6 + face_at(regular_cube(), {-1, 0, 0});
+  const std::uint32_t right = face_towards(regular_cube(), {1, 0, 0});
+  const std::uint32_t left = 6 + face_towards(regular_cube(), {-1, 0, 0});
   const std::array<FacePair, 1> pairs = {{{right, left}}};
   const double bar = std::pow(2.0 * std::sqrt(1.0 / 3.0), 2.0) * 4.0;
   const double cube = enclosed_volume(triangulated(regular_cube()));

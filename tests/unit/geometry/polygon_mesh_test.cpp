@@ -28,6 +28,7 @@ TEST(PolygonMesh, FacesKnowTheirMiddleAndNormal) {
     const dvec3 middle = face_middle(cube, f);
     EXPECT_NEAR(glm::length(middle), std::sqrt(1.0 / 3.0), 1e-12);
     EXPECT_NEAR(glm::dot(face_normal(cube, f), glm::normalize(middle)), 1.0, 1e-12);
+    EXPECT_EQ(face_towards(cube, middle + dvec3(0.2, 0.1, -0.2)), f);
   }
 }
 
