@@ -240,6 +240,9 @@ void CommandLine::add_model() {
       command->add_option("--text", model_.letters.string, "Letters, in place of a name")
           ->check([](const std::string& s) { return s.empty() ? "one or more letters" : ""; })
           ->excludes(name);
+  command->add_flag("--all", model_.all, "Write all models, -o being a folder")
+      ->excludes(name)
+      ->excludes(text);
   command
       ->add_option("--font", model_.letters.font,
                    "Theirs: a family, as \"DejaVu Serif:bold\", or a .ttf or .otf file")

@@ -59,6 +59,12 @@ std::string comparison_json(const Comparison& comparison) {
   return text + "}\n";
 }
 
+void write_model(const StarterModel& model, const fs::path& path) {
+  write_obj(path, model.make(),
+            fmt::format("collage model {} -o {}", model.name, path.filename().string()));
+  fmt::print("{}\n", path.string());
+}
+
 std::string comparison_text(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n", word(comparison.verdict), comparison.reason);
   if (comparison.numbers && comparison.verdict != Verdict::same) {
@@ -152,21 +158,23 @@ int run_check(const std::vector<fs::path>& meshes, Terminal& terminal) {
 
 int run_model(const ModelArguments& arguments, Terminal& terminal) {
   const bool letters = !arguments.letters.string.empty();
-  if (arguments.name.empty() && !letters) {
-    for (const StarterModel& m : starter_models()) {
-      fmt::print("{:12} {}\n", m.name, m.description);
+  const fs::path& output = arguments.output;
+  if (arguments.all) {
+    for (const StarterModel& model : starter_models()) {
+      write_model(model, output / fmt::format("{}.obj", model.name));
     }
-    return 0;
-  }
-  const std::string name = letters ? "letters" : arguments.name;
-  const fs::path path = arguments.output.empty() ? fs::path(name + ".obj") : arguments.output;
-  if (letters) {
+  } else if (letters) {
+    const fs::path path = output.empty() ? fs::path("letters.obj") : output;
     write_obj(path, make_letters(arguments.letters, terminal), "");
+    fmt::print("{}\n", path.string());
+  } else if (arguments.name.empty()) {
+    for (const StarterModel& model : starter_models()) {
+      fmt::print("{:15} {}\n", model.name, model.description);
+    }
   } else {
-    write_obj(path, model_called(name).make(),
-              "collage model " + name + " -o " + path.filename().string());
+    write_model(model_called(arguments.name),
+                output.empty() ? fs::path(arguments.name + ".obj") : output);
   }
-  fmt::print("{}\n", path.string());
   return 0;
 }
 

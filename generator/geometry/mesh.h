@@ -67,6 +67,10 @@ struct Mesh {
   }
 };
 
+/// A position as models are written: rounded to a millionth, which keeps files short and makes
+/// equal what should be.
+inline dvec3 to_millionths(const dvec3& position) { return glm::round(position * 1e6) / 1e6; }
+
 /// Box of all positions that a triangle uses.
 Box bounding_box(const Mesh& mesh);
 

@@ -3,8 +3,13 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
+#include "geometry/frames.h"
+#include "geometry/model_materials.h"
 #include "geometry/models.h"
+#include "geometry/smooth_normals.h"
 #include "geometry/sweep.h"
 
 namespace collage {
@@ -38,45 +43,21 @@ dvec2 middle_of_wall(double height, int segments) {
   return {0.5 * (outer + inner), height};
 }
 
-/// The handle's middle line in the plane z = 0: one cubic Bézier curve, which leaves the wall and
-/// meets it again at right angles.
-class HandlePath {
- public:
-  explicit HandlePath(int segments) {
-    const dvec2 upper = middle_of_wall(1.02, segments);
-    const dvec2 lower = middle_of_wall(0.44, segments);
-    control_ = {upper, upper + dvec2(0.98, 0.2), lower + dvec2(0.72, -0.26), lower};
+/// Along a Bézier curve in the plane z = 0 that leaves the wall and meets it again at right angles;
+/// an ellipse across, broad along z, a little fuller at the wall.
+std::vector<Ring> handle(int segments) {
+  const dvec3 upper(middle_of_wall(1.02, segments), 0.0);
+  const dvec3 lower(middle_of_wall(0.44, segments), 0.0);
+  const int steps = segments / 2;
+  const auto curve = bezier_curve(upper, upper + dvec3(0.98, 0.2, 0.0),
+                                  lower + dvec3(0.72, -0.26, 0.0), lower, steps);
+  const std::vector<dvec2> section = ellipse(0.055, 0.085, 6);
+  std::vector<Ring> rings;
+  for (const Frame& frame : frames_along(curve, dvec3(0.0, 1.0, 0.0))) {
+    const double t = static_cast<double>(rings.size()) / steps;
+    rings.push_back(section_ring(frame, section, 1.0 + 0.3 * std::pow(2.0 * t - 1.0, 4.0)));
   }
-
-  dvec2 point(double t) const {
-    const double s = 1.0 - t;
-    return s * s * s * control_[0] + 3.0 * s * s * t * control_[1] + 3.0 * s * t * t * control_[2] +
-           t * t * t * control_[3];
-  }
-  dvec2 direction(double t) const {
-    const double s = 1.0 - t;
-    return glm::normalize(s * s * (control_[1] - control_[0]) +
-                          2.0 * s * t * (control_[2] - control_[1]) +
-                          t * t * (control_[3] - control_[2]));
-  }
-
- private:
-  std::array<dvec2, 4> control_;
-};
-
-/// An ellipse across the path, broad along z, a little fuller at the wall.
-Ring handle_ring(const HandlePath& path, double t, int corners) {
-  const dvec2 along = path.direction(t);
-  const dvec3 across(-along.y, along.x, 0.0);
-  const double fullness = 1.0 + 0.3 * std::pow(2.0 * t - 1.0, 4.0);
-  Ring ring;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    ring.push_back(
-        dvec3(path.point(t), 0.0) +
-        fullness * (0.055 * std::cos(angle) * across + dvec3(0.0, 0.0, 0.085 * std::sin(angle))));
-  }
-  return ring;
+  return rings;
 }
 
 }  // namespace
@@ -88,20 +69,9 @@ Mesh make_teacup(int segments) {
   Mesh mesh;
   // A facet, not an edge, faces the handle.
   append_rings(mesh, lathe(profile, segments, std::numbers::pi / segments));
-  const HandlePath path(segments);
-  const int steps = segments / 2;
-  std::vector<Ring> rings;
-  for (int i = 0; i <= steps; ++i) {
-    rings.push_back(handle_ring(path, static_cast<double>(i) / steps, 6));
-  }
-  append_rings(mesh, rings);
+  append_rings(mesh, handle(segments));
   set_smooth_normals(mesh, crease_degrees);
-  Material glaze;
-  glaze.name = "glaze";
-  glaze.color = dvec3(0.86, 0.83, 0.76);
-  glaze.specular = dvec3(0.4);
-  glaze.shininess = 250.0;
-  mesh.materials.push_back(glaze);
+  mesh.materials.push_back(glaze("glaze", {0.86, 0.83, 0.76}));
   return mesh;
 }
 

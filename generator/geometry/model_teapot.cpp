@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/models.h"
+#include "geometry/smooth_normals.h"
 #include "geometry/sweep.h"
 
 namespace collage {

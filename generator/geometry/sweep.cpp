@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <tuple>
-#include <utility>
 
 namespace collage {
 namespace {
-
-dvec3 rounded(const dvec3& point) { return glm::round(point * 1e6) / 1e6; }
 
 dvec3 middle(const Ring& ring) {
   dvec3 sum(0.0);
@@ -53,6 +48,12 @@ void append_band(Mesh& mesh, RingStart lower, RingStart upper, std::uint32_t poi
   }
 }
 
+void round_all(std::vector<Ring>& rings) {
+  for (Ring& ring : rings) {
+    std::transform(ring.begin(), ring.end(), ring.begin(), to_millionths);
+  }
+}
+
 enum class Facing { stack_start, stack_end };
 
 void append_fan(Mesh& mesh, RingStart ring, std::uint32_t tip, std::uint32_t points,
@@ -68,12 +69,10 @@ void append_fan(Mesh& mesh, RingStart ring, std::uint32_t tip, std::uint32_t poi
 
 void append_rings(Mesh& mesh, std::vector<Ring> rings) {
   assert(rings.size() >= 2);
-  for (Ring& ring : rings) {
-    std::transform(ring.begin(), ring.end(), ring.begin(), rounded);
-  }
+  round_all(rings);
   const auto points = static_cast<std::uint32_t>(rings[0].size());
-  const std::uint32_t bottom = append_position(mesh, rounded(middle(rings.front())));
-  const std::uint32_t top = append_position(mesh, rounded(middle(rings.back())));
+  const std::uint32_t bottom = append_position(mesh, to_millionths(middle(rings.front())));
+  const std::uint32_t top = append_position(mesh, to_millionths(middle(rings.back())));
   const bool bottom_pole = is_pole(rings.front());
   const bool top_pole = is_pole(rings.back());
   std::vector<RingStart> starts;
@@ -89,6 +88,38 @@ void append_rings(Mesh& mesh, std::vector<Ring> rings) {
   append_fan(mesh, starts.back(), top, points, Facing::stack_end);
 }
 
+void append_ring_loop(Mesh& mesh, std::vector<Ring> rings) {
+  assert(rings.size() >= 3);
+  round_all(rings);
+  const auto points = static_cast<std::uint32_t>(rings[0].size());
+  const auto count = static_cast<std::uint32_t>(rings.size());
+  const auto first = static_cast<RingStart>(mesh.positions.size());
+  for (const Ring& ring : rings) {
+    mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    append_band(mesh, first + i * points, first + (i + 1) % count * points, points);
+  }
+}
+
+Ring section_ring(const Frame& frame, std::span<const dvec2> section, double scale) {
+  Ring ring;
+  for (const dvec2& point : section) {
+    ring.push_back(frame.point(scale * point));
+  }
+  return ring;
+}
+
+std::vector<dvec2> ellipse(double half_width, double half_height, int corners,
+                           double phase_radians) {
+  std::vector<dvec2> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = phase_radians + 2.0 * std::numbers::pi * i / corners;
+    points.emplace_back(half_width * std::cos(angle), half_height * std::sin(angle));
+  }
+  return points;
+}
+
 std::vector<Ring> lathe(std::span<const ProfilePoint> profile, int segments, double phase_radians) {
   std::vector<Ring> rings;
   for (const ProfilePoint& point : profile) {
@@ -99,43 +130,6 @@ std::vector<Ring> lathe(std::span<const ProfilePoint> profile, int segments, dou
     }
   }
   return rings;
-}
-
-void set_smooth_normals(Mesh& mesh, double crease_degrees) {
-  const double bend = std::cos(glm::radians(crease_degrees));
-  std::vector<dvec3> face_normals;
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> around(mesh.positions.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<dvec3, 3> sides;
-    for (int k = 0; k < 3; ++k) {
-      sides[k] = glm::normalize(mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k));
-    }
-    face_normals.push_back(glm::normalize(glm::cross(sides[0], sides[1])));
-    for (int k = 0; k < 3; ++k) {
-      const double cosine = glm::dot(sides[k], -sides[(k + 2) % 3]);
-      around[mesh.triangles[t][k]].emplace_back(t, std::acos(glm::clamp(cosine, -1.0, 1.0)));
-    }
-  }
-  mesh.normals.clear();
-  mesh.normal_triangles.clear();
-  std::map<std::tuple<double, double, double>, std::uint32_t> known;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    uvec3& indices = mesh.normal_triangles.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      dvec3 sum(0.0);
-      for (const auto& [other, angle] : around[mesh.triangles[t][k]]) {
-        sum += glm::dot(face_normals[t], face_normals[other]) >= bend ? angle * face_normals[other]
-                                                                      : dvec3(0.0);
-      }
-      const dvec3 normal = rounded(glm::normalize(sum));
-      const auto [entry, is_new] = known.try_emplace(
-          {normal.x, normal.y, normal.z}, static_cast<std::uint32_t>(mesh.normals.size()));
-      if (is_new) {
-        mesh.normals.push_back(normal);
-      }
-      indices[k] = entry->second;
-    }
-  }
 }
 
 }  // namespace collage

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "geometry/frames.h"
 #include "geometry/mesh.h"
 
 namespace collage {
@@ -17,16 +19,28 @@ using Ring = std::vector<dvec3>;
 /// millionth, which keeps files short and makes equal what should be.
 void append_rings(Mesh& mesh, std::vector<Ring> rings);
 
+/// Where the triangles between rings `ring` and `ring` + 1 begin in the surface that append_rings()
+/// has made of rings of `points`, the first being a pole.
+constexpr std::size_t band_start(std::size_t ring, std::size_t points) {
+  return (2 * ring - 1) * points;
+}
+
+/// Adds the closed surface through at least three rings and from the last back to the first, as a
+/// torus; otherwise as append_rings().
+void append_ring_loop(Mesh& mesh, std::vector<Ring> rings);
+
+/// A plane section, counter-clockwise, put across a curve.
+Ring section_ring(const Frame& frame, std::span<const dvec2> section, double scale = 1.0);
+
+/// `corners` points of an ellipse, counter-clockwise, the first at angle `phase_radians` from +x.
+std::vector<dvec2> ellipse(double half_width, double half_height, int corners,
+                           double phase_radians = 0.0);
+
 /// A point of a profile in the half plane x = radius, y = height.
 using ProfilePoint = dvec2;
 
 /// The rings of a profile that is turned round the y axis, `segments` points each; the first at
 /// angle `phase_radians` from +x towards -z.
 std::vector<Ring> lathe(std::span<const ProfilePoint> profile, int segments, double phase_radians);
-
-/// Replaces the normals by smooth ones: at each corner the mean of the triangles round its vertex,
-/// weighted by their angles there (Thürmer and Wüthrich 1998), that are bent against the corner's
-/// own triangle by less than `crease_degrees`. Cost: O(n d) with d triangles a vertex.
-void set_smooth_normals(Mesh& mesh, double crease_degrees);
 
 }  // namespace collage

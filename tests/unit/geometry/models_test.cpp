@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "geometry/bounding_sphere.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
+#include "mesh_quality.h"
 
 namespace collage {
 namespace {
@@ -103,6 +107,98 @@ TEST(Models, SphereIsRound) {
   EXPECT_EQ(sphere.triangles.size(), 1280U);
   EXPECT_NEAR(smallest_enclosing_sphere(sphere.positions).radius, 1.0, 1e-14);
   EXPECT_NEAR(enclosed_volume(sphere), 4.0 / 3.0 * std::numbers::pi, 0.05);
+}
+
+struct Expected {
+  std::size_t least_triangles;
+  std::size_t most_triangles;
+  std::size_t parts;
+  int genus;
+};
+
+/// All but teapot and teacup, whose parts pass through each other.
+const std::map<std::string_view, Expected> own_models = {
+    {"sphere", {1280, 1280, 1, 0}},
+    {"carrot", {200, 300, 6, 0}},
+    {"top-hat", {288, 288, 1, 0}},
+    {"bowl", {1000, 2000, 1, 0}},
+    {"bowl-inside", {500, 1500, 1, 0}},
+    {"spoon", {300, 700, 1, 0}},
+    {"cereal-ring", {108, 248, 1, 1}},
+    {"cereal-loop", {108, 248, 1, 1}},
+    {"cereal-flake", {108, 248, 1, 0}},
+    {"cereal-star", {108, 248, 1, 0}},
+    {"cereal-puff", {108, 248, 1, 0}},
+    {"chair", {1100, 1200, 16, 0}},
+    {"chair-target", {1000, 10000, 1, 2}},
+    {"topmod1-a", {72, 480, 1, 3}},
+    {"topmod1-b", {72, 480, 1, 4}},
+    {"topmod1-c", {72, 480, 1, 2}},
+    {"topmod1-target", {2000, 10000, 1, 6}},
+    {"topmod2-a", {72, 480, 1, 3}},
+    {"topmod2-b", {72, 480, 1, 4}},
+    {"topmod2-c", {72, 480, 1, 3}},
+    {"topmod2-target", {2000, 10000, 1, 11}},
+    {"topmod3-a", {72, 480, 3, 3}},
+    {"topmod3-b", {72, 480, 4, 4}},
+    {"topmod3-c", {72, 480, 1, 1}},
+    {"topmod3-target", {2000, 10000, 6, 6}},
+};
+
+TEST(Models, OwnModelsAreManifoldAndNowhereMeetThemselves) {
+  std::size_t looked_at = 0;
+  for (const StarterModel& model : starter_models()) {
+    const auto expected = own_models.find(model.name);
+    if (expected == own_models.end()) {
+      continue;
+    }
+    SCOPED_TRACE(model.name);
+    ++looked_at;
+    const Mesh mesh = model.make();
+    const MeshReport report = check_mesh(mesh);
+    EXPECT_GE(report.triangles, expected->second.least_triangles);
+    EXPECT_LE(report.triangles, expected->second.most_triangles);
+    EXPECT_EQ(report.parts, expected->second.parts);
+    EXPECT_EQ(report.vertices, mesh.positions.size());
+    EXPECT_EQ(genus_of(mesh), expected->second.genus);
+    EXPECT_GT(report.volume, 0.0);
+    EXPECT_EQ(self_intersections(mesh), 0U);
+  }
+  EXPECT_EQ(looked_at, own_models.size());
+  EXPECT_EQ(starter_models().size(), own_models.size() + 2);
+}
+
+TEST(Models, BowlHoldsWhatIsHeapedInIt) {
+  const Mesh bowl = make_bowl();
+  const Mesh inside = make_bowl_inside();
+  Mesh both = bowl;
+  append_part(both, inside, Material());
+  EXPECT_EQ(self_intersections(both), 0U);
+  for (const dvec3& position : inside.positions) {
+    EXPECT_NEAR(turns(bowl, position), 0.0, 1e-9);
+  }
+  EXPECT_GT(bounding_box(inside).max.y, bounding_box(bowl).max.y);
+  EXPECT_LT(bounding_box(inside).extent().x, bounding_box(bowl).extent().x);
+  const MeshReport report = check_mesh(bowl);
+  EXPECT_GT(enclosed_volume(inside), 3.0 * report.volume);  // the wall is thin
+}
+
+TEST(Models, PartsAreOfTheirMaterial) {
+  const Mesh carrot = make_carrot();
+  ASSERT_EQ(carrot.materials.size(), 2U);
+  const Mesh hat = make_top_hat();
+  ASSERT_EQ(hat.materials.size(), 2U);
+  for (std::size_t t = 0; t < carrot.triangles.size(); ++t) {
+    const bool above = carrot.corner(t, 0).y > 2.18;
+    EXPECT_EQ(carrot.materials[carrot.triangle_materials[t]].name, above ? "greens" : "carrot");
+  }
+  for (std::size_t t = 0; t < hat.triangles.size(); ++t) {
+    if (hat.materials[hat.triangle_materials[t]].name == "satin") {
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(std::hypot(hat.corner(t, k).x, hat.corner(t, k).z), 0.565, 0.02);
+      }
+    }
+  }
 }
 
 }  // namespace
