@@ -12,7 +12,7 @@
 #include "geometry/font_outline.h"
 #include "geometry/inset.h"
 #include "geometry/polygon.h"
-#include "geometry/sweep.h"
+#include "geometry/smooth_normals.h"
 #include "geometry/topology.h"
 
 namespace collage {
