@@ -107,8 +107,8 @@ void Auditor::look_for_overlaps(std::size_t i, const BoxTree& tree, const std::v
 bool Auditor::overlap(std::size_t i, std::size_t j) const {
   const Instance& a = input_.instances[i];
   const Instance& b = input_.instances[j];
-  return surfaces_meet(shape(i), a, shape(j), b) || has_part_inside(shape(i), a, shape(j), b) ||
-         has_part_inside(shape(j), b, shape(i), a);
+  return surfaces_meet(shape(i), a, shape(j), b) || lies_inside(shape(i), a, shape(j), b) ||
+         lies_inside(shape(j), b, shape(i), a);
 }
 
 bool Auditor::protrudes(std::size_t i) const {
@@ -116,12 +116,8 @@ bool Auditor::protrudes(std::size_t i) const {
     return false;
   }
   const Instance& instance = input_.instances[i];
-  const auto outside = [&](const dvec3& part_point) {
-    return !target_->holds(instance.world_from_element(part_point));
-  };
-  const auto& points = shape(i).part_points();
   return surfaces_meet(*target_, Instance{}, shape(i), instance) ||
-         std::any_of(points.begin(), points.end(), outside);
+         lies_outside(*target_, shape(i), instance);
 }
 
 bool Auditor::deformed(std::size_t i) const {

@@ -24,8 +24,10 @@ struct Audit {
   static constexpr std::size_t depths_measured = 1000;
 
   /// Instances whose surfaces have a point in common, or one of which has a part inside another.
+  /// Where the other is open, so that its inside has no clear end, all the part must be inside.
   std::vector<Pair> overlaps;
-  /// Instances whose surface meets the target's, or with a part outside of it.
+  /// Instances whose surface meets the target's, or with a part outside of it; where the target is
+  /// open, all of the part.
   std::vector<std::uint32_t> protrusions;
   /// Instances that are not rigid copies: rotation no unit quaternion to 1e-9, or scale not above 0
   /// or not one of those allowed.

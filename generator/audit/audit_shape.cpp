@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "geometry/boxes.h"
+#include "geometry/topology.h"
 
 namespace collage {
 namespace {
@@ -37,7 +37,8 @@ struct LessPosition {
   }
 };
 
-std::vector<dvec3> points_of_parts(const Mesh& mesh) {
+/// The vertices of each set of triangles that hang together by vertices at the same place.
+std::vector<std::vector<dvec3>> parts_of(const Mesh& mesh) {
   Sets sets(mesh.positions.size());
   std::map<dvec3, std::uint32_t, LessPosition> first_at;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -47,16 +48,20 @@ std::vector<dvec3> points_of_parts(const Mesh& mesh) {
     sets.join(t.x, t.y);
     sets.join(t.y, t.z);
   }
-  std::vector<dvec3> points;
+  std::vector<std::vector<dvec3>> parts;
+  std::map<std::uint32_t, std::size_t> part_of_root;
   std::vector<char> seen(mesh.positions.size(), 0);
   for (const uvec3& t : mesh.triangles) {
-    char& part_seen = seen[sets.root(t.x)];
-    if (part_seen == 0) {
-      points.push_back(mesh.positions[t.x]);
-      part_seen = 1;
+    const std::size_t part = part_of_root.emplace(sets.root(t.x), parts.size()).first->second;
+    parts.resize(std::max(parts.size(), part + 1));
+    for (int k = 0; k < 3; ++k) {
+      if (seen[t[k]] == 0) {
+        seen[t[k]] = 1;
+        parts[part].push_back(mesh.positions[t[k]]);
+      }
     }
   }
-  return points;
+  return parts;
 }
 
 /// target_from_source for two instances, as p ↦ matrix p + offset, with what rounding may do to it.
@@ -91,13 +96,23 @@ Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t 
           instance.world_from_element(mesh.corner(triangle, 2))};
 }
 
+/// Whether some part of b is wholly what `holds` says of a vertex, as seen from a: where a is
+/// closed and surfaces do not meet, one vertex stands for its part.
+template <class Holds>
+bool holds_of_a_part(const AuditShape& a, const AuditShape& b, Holds holds) {
+  return std::ranges::any_of(b.parts(), [&](const std::vector<dvec3>& part) {
+    return a.closed() ? holds(part.front()) : std::ranges::all_of(part, holds);
+  });
+}
+
 }  // namespace
 
 AuditShape::AuditShape(const Mesh& mesh)
     : mesh_(mesh),
       tree_(boxes_of_triangles(mesh)),
       winding_number_(mesh),
-      part_points_(points_of_parts(mesh)) {}
+      parts_(parts_of(mesh)),
+      closed_(is_closed(mesh)) {}
 
 bool AuditShape::holds(const dvec3& point) const {
   const double fast = winding_number_.at(point);
@@ -142,14 +157,20 @@ bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditS
   return false;
 }
 
-bool has_part_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
-                     const Instance& instance_b) {
-  return std::any_of(b.part_points().begin(), b.part_points().end(), [&](const dvec3& part_point) {
-    const dvec3 point = instance_a.element_from_world(instance_b.world_from_element(part_point));
+bool lies_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
+                 const Instance& instance_b) {
+  return holds_of_a_part(a, b, [&](const dvec3& vertex) {
+    const dvec3 point = instance_a.element_from_world(instance_b.world_from_element(vertex));
     const Box& box = a.box();
     const bool in_box = glm::all(glm::greaterThanEqual(point, box.min)) &&
                         glm::all(glm::lessThanEqual(point, box.max));
     return in_box && a.holds(point);
+  });
+}
+
+bool lies_outside(const AuditShape& target, const AuditShape& b, const Instance& instance_b) {
+  return holds_of_a_part(target, b, [&](const dvec3& vertex) {
+    return !target.holds(instance_b.world_from_element(vertex));
   });
 }
 

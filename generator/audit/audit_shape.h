@@ -8,7 +8,7 @@
 
 namespace collage {
 
-/// A mesh as the audit looks at it: a hierarchy over its triangles, and one vertex of each part.
+/// A mesh as the audit looks at it: a hierarchy over its triangles, and its parts.
 class AuditShape {
  public:
   explicit AuditShape(const Mesh& mesh);
@@ -16,8 +16,11 @@ class AuditShape {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
   [[nodiscard]] const Box& box() const { return tree_.nodes().front().box; }
-  /// A vertex of each set of triangles that hang together by vertices.
-  [[nodiscard]] const std::vector<dvec3>& part_points() const { return part_points_; }
+  /// The vertices of each set of triangles that hang together by vertices.
+  [[nodiscard]] const std::vector<std::vector<dvec3>>& parts() const { return parts_; }
+  /// Every edge is run as often one way as the other: the winding number is whole everywhere, and
+  /// the inside ends at the surface. That of an open mesh fades out in its openings.
+  [[nodiscard]] bool closed() const { return closed_; }
   /// By the winding number: the fast one where it is clear, else the sum over all triangles.
   [[nodiscard]] bool holds(const dvec3& point) const;
 
@@ -25,7 +28,8 @@ class AuditShape {
   const Mesh& mesh_;
   BoxTree tree_;
   WindingNumber winding_number_;
-  std::vector<dvec3> part_points_;
+  std::vector<std::vector<dvec3>> parts_;
+  bool closed_;
 };
 
 /// Box of an instance in the world, from its transformed vertices.
@@ -36,8 +40,13 @@ Box world_box(const AuditShape& shape, const Instance& instance);
 bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
                    const Instance& instance_b);
 
-/// True where, surfaces not meeting, a part of b lies inside of a.
-bool has_part_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
-                     const Instance& instance_b);
+/// True where, surfaces not meeting, a part of b lies inside of a; where a is open, with all its
+/// vertices.
+bool lies_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
+                 const Instance& instance_b);
+
+/// True where, surfaces not meeting, a part of b lies outside of the target, which is in the
+/// world's frame; where the target is open, with all its vertices.
+bool lies_outside(const AuditShape& target, const AuditShape& b, const Instance& instance_b);
 
 }  // namespace collage

@@ -15,12 +15,17 @@ bool holds_data(const fs::path& folder) {
   return !folder.empty() && fs::is_directory(folder / "templates", ignored);
 }
 
+/// "" where the variable is not set.
+std::string environment(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value == nullptr ? "" : value;
+}
+
 }  // namespace
 
 DataPlaces data_places() {
   DataPlaces places;
-  const char* wish = std::getenv("COLLAGE_DATA");
-  places.wish = wish == nullptr ? "" : wish;
+  places.wish = environment("COLLAGE_DATA");
   std::error_code ignored;  // without /proc the other places remain
   places.executable = fs::read_symlink("/proc/self/exe", ignored);
   places.source = COLLAGE_SOURCE_FOLDER;
@@ -46,6 +51,14 @@ fs::path data_folder(const DataPlaces& places) {
   }
   throw Error("collage's templates and scenes are not found",
               "install it again, or set COLLAGE_DATA to the folder that holds them");
+}
+
+MeshLibraries mesh_libraries() {
+  const fs::path unpack = data_folder(data_places()) / "scenes" / "unpack-furniture";
+  return {environment("COLLAGE_MESHES"),
+          "set COLLAGE_MESHES to a folder that holds one of this name; sweethome3d-furniture is "
+          "got by: apt-get install sweethome3d-furniture unzip && " +
+              unpack.string() + " ~/meshes && export COLLAGE_MESHES=~/meshes"};
 }
 
 }  // namespace collage

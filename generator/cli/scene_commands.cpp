@@ -37,9 +37,10 @@ fs::path find_scene(const std::string& name) {
 }
 
 Scene read_scene_with(const SceneArguments& arguments) {
-  Scene scene = read_scene(find_scene(arguments.scene));
+  const MeshLibraries libraries = mesh_libraries();
+  Scene scene = read_scene(find_scene(arguments.scene), libraries);
   for (const std::string& setting : arguments.settings) {
-    set_option(scene, setting);
+    set_option(scene, setting, libraries);
   }
   if (!arguments.seed.empty()) {
     set_option(scene, "packing.seed=" + arguments.seed);

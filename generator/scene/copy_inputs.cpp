@@ -32,7 +32,7 @@ Sculpture::Input copy_inputs(const std::vector<fs::path>& files, const fs::path&
     const std::string content = read_file(file);
     write_file(folder / destination / relative, content);
     if (input.path.empty()) {
-      input = {destination / relative, sha256(content)};
+      input = {destination / relative, sha256(content), read_credit(file)};
     }
   }
   return input;

@@ -12,8 +12,8 @@ namespace collage {
 
 /// Copies an input into the folder of a sculpture, as meshes/<role>/<its name>, and the other files
 /// that it uses beside it under the same relative names. `files` starts with the input itself;
-/// files that lie outside its folder are left out, with a note. Throws Error where a file cannot be
-/// read or written.
+/// files that lie outside its folder are left out, with a note. The credit is the one beside the
+/// input, see read_credit(). Throws Error where a file cannot be read or written.
 Sculpture::Input copy_inputs(const std::vector<std::filesystem::path>& files,
                              const std::filesystem::path& folder, const std::string& role,
                              Status& status);

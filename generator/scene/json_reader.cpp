@@ -9,7 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* remedy = "make the folder again with collage make";
 constexpr std::size_t longest_message = 200;  // a message may quote the file
 
 }  // namespace
@@ -43,7 +42,7 @@ std::string text(const json& value) {
   return value.get<std::string>();
 }
 
-json parsed_file(const fs::path& path) {
+json parsed_file(const fs::path& path, const char* remedy) {
   try {
     return json::parse(read_file(path));
   } catch (const json::exception& error) {
@@ -52,7 +51,7 @@ json parsed_file(const fs::path& path) {
   }
 }
 
-Error error_in(const fs::path& path, const Problem& problem) {
+Error error_in(const fs::path& path, const Problem& problem, const char* remedy) {
   const std::string where = problem.where.empty() ? "" : problem.where.substr(1) + " ";
   return {{path}, where + problem.what, remedy};
 }

@@ -62,11 +62,15 @@ double positive(const json& value);
 std::uint64_t natural(const json& value);
 std::string text(const json& value);
 
-/// The file's JSON. Throws Error where it cannot be read or is not JSON.
-json parsed_file(const std::filesystem::path& path);
+/// How to mend a file of a finished folder.
+constexpr const char* make_again = "make the folder again with collage make";
 
-/// The Error that the user sees: "file: instances[3].scale is missing; …".
-Error error_in(const std::filesystem::path& path, const Problem& problem);
+/// The file's JSON. Throws Error where it cannot be read or is not JSON.
+json parsed_file(const std::filesystem::path& path, const char* remedy = make_again);
+
+/// The Error that the user sees: "file: instances[3].scale is missing; remedy".
+Error error_in(const std::filesystem::path& path, const Problem& problem,
+               const char* remedy = make_again);
 
 }  // namespace json_reader
 }  // namespace collage

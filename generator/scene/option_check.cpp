@@ -177,6 +177,10 @@ class Check {
     if (source_.paths == OptionSource::Paths::keep) {
       return text;
     }
+    if (names_library(text)) {
+      return find_in_library(text, source_.libraries, source_.place, option_.full_key(element_))
+          .string();
+    }
     const fs::path path = (source_.folder / text).lexically_normal();
     std::error_code ignored;  // what cannot be looked at does not exist for us
     if (!fs::is_regular_file(path, ignored)) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "scene/mesh_library.h"
 #include "scene/option.h"
 
 namespace collage {
@@ -18,11 +19,13 @@ struct OptionSource {
   std::filesystem::path folder;
   /// `keep` takes paths as they are and does not look whether the files exist.
   Paths paths = Paths::resolve;
+  MeshLibraries libraries{};
 };
 
 /// `value` in the form that Option::store takes: whole numbers become numbers where those are
-/// meant, relative paths are resolved. Throws Error where the value is of the wrong type, out of
-/// range, not one of the words, or names a file that does not exist.
+/// meant, relative paths and names of meshes in libraries are resolved. Throws Error where the
+/// value is of the wrong type, out of range, not one of the words, or names a file that does not
+/// exist.
 OptionValue checked(const Option& option, std::size_t element, const OptionValue& value,
                     const OptionSource& source);
 

@@ -14,6 +14,8 @@ using option_row::option;
 constexpr double largest_exact_integer = 9007199254740992.0;  // 2^53: the same in JSON and TOML
 constexpr double largest_picture = 16384.0;
 
+constexpr const char* mesh_places =
+    "starting from the scene's folder, or \"LIBRARY:PATH\" for one of a mesh library";
 const std::vector<std::string> qualities{"draft", "standard", "fine"};
 const std::vector<std::string> looks{"studio", "daylight", "clay", "x-ray", "breakdown"};
 const std::vector<std::string> views{"front", "three-quarter", "right", "back", "left", "top"};
@@ -46,10 +48,9 @@ void append_letter_options(std::vector<Option>& table, const std::string& sectio
 }
 
 void append_target_options(std::vector<Option>& table) {
-  table.push_back(option("target.mesh", [](auto& s) -> auto& { return s.target.mesh; },
-                         {.unit = "starting from the scene's folder",
-                          .help = "OBJ file of the shape to fill",
-                          .form = TextForm::path}));
+  table.push_back(option(
+      "target.mesh", [](auto& s) -> auto& { return s.target.mesh; },
+      {.unit = mesh_places, .help = "OBJ file of the shape to fill", .form = TextForm::path}));
   table.push_back(option("target.sdf", [](auto& s) -> auto& { return s.target.sdf; },
                          {.unit = "starting from the scene's folder",
                           .help = "grid of signed distances to fill, instead of a mesh",
@@ -71,10 +72,9 @@ void append_target_options(std::vector<Option>& table) {
 }
 
 void append_element_options(std::vector<Option>& table) {
-  table.push_back(element_option("element.mesh", [](auto& e) -> auto& { return e.mesh; },
-                                 {.unit = "starting from the scene's folder",
-                                  .help = "OBJ file of the shape to fill with",
-                                  .form = TextForm::path}));
+  table.push_back(element_option(
+      "element.mesh", [](auto& e) -> auto& { return e.mesh; },
+      {.unit = mesh_places, .help = "OBJ file of the shape to fill with", .form = TextForm::path}));
   append_letter_options(
       table, "element", "letters to fill with, instead of a mesh",
       [](auto... arguments) { return element_option(std::move(arguments)...); },

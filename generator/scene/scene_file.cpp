@@ -62,7 +62,8 @@ int line_of(const toml::source_region& region) { return static_cast<int>(region.
 /// Takes one parsed file over into a scene.
 class Reader {
  public:
-  explicit Reader(fs::path file) : file_(std::move(file)) {}
+  Reader(fs::path file, const MeshLibraries& libraries)
+      : file_(std::move(file)), libraries_(libraries) {}
 
   Scene scene(const toml::table& root) {
     for (const auto& [key, node] : root) {
@@ -134,7 +135,8 @@ class Reader {
 
   void read_value(const Option& option, std::size_t element, const toml::key& key,
                   const toml::node& node) {
-    const OptionSource source{at(key.source()), file_.parent_path()};
+    const OptionSource source{at(key.source()), file_.parent_path(), OptionSource::Paths::resolve,
+                              libraries_};
     const auto value = option_value(node);
     if (!value) {
       throw Error(source.place, option.full_key(element) + " is of the wrong type",
@@ -214,6 +216,7 @@ class Reader {
   }
 
   fs::path file_;
+  const MeshLibraries& libraries_;
   Scene scene_;
 };
 
@@ -239,10 +242,10 @@ std::string name_of(const fs::path& file) {
 
 }  // namespace
 
-Scene read_scene(const fs::path& path) {
+Scene read_scene(const fs::path& path, const MeshLibraries& libraries) {
   std::error_code ignored;  // what cannot be looked at is reported by read_file()
   const fs::path file = fs::is_directory(path, ignored) ? path / "scene.toml" : path;
-  Scene scene = Reader(file).scene(parsed(file));
+  Scene scene = Reader(file, libraries).scene(parsed(file));
   scene.name = name_of(file);
   scene.file = file;
   return scene;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/instance.h"
+#include "scene/credit.h"
 #include "scene/scene.h"
 
 namespace collage {
@@ -18,6 +20,8 @@ struct Sculpture {
     std::filesystem::path path;
     /// Of the file's content, 64 hexadecimal digits.
     std::string sha256;
+    /// Whose work it is, where that is known.
+    std::optional<Credit> credit{};
   };
   struct Element : Input {
     std::string name;

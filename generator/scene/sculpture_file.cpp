@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "geometry/font_file.h"
+#include "scene/credit_json.h"
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/options_json.h"
@@ -54,7 +55,8 @@ Scene with_copies(const Sculpture& sculpture) {
 
 std::string input_members(const Sculpture::Input& input) {
   return "\"path\": " + json_text(input.path.generic_string()) +
-         ", \"sha256\": " + json_text(input.sha256);
+         ", \"sha256\": " + json_text(input.sha256) +
+         (input.credit ? ", \"credit\": " + credit_json(*input.credit) : "");
 }
 
 std::string inputs_text(const Sculpture& sculpture) {
@@ -133,7 +135,11 @@ glm::dvec3 vector(const json& value) {
 }
 
 Sculpture::Input input(const json& value) {
-  return {within(value, "path", inner_path), within(value, "sha256", digest)};
+  Sculpture::Input result{within(value, "path", inner_path), within(value, "sha256", digest)};
+  if (value.contains("credit")) {
+    result.credit = within(value, "credit", credit_from_json);
+  }
+  return result;
 }
 
 Sculpture::Element element(const json& value) {

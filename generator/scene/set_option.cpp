@@ -143,7 +143,7 @@ void leave_one_shape(Scene& scene, const std::string& key, std::size_t element) 
 
 }  // namespace
 
-void set_option(Scene& scene, const std::string& assignment) {
+void set_option(Scene& scene, const std::string& assignment, const MeshLibraries& libraries) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
     throw Error("'" + assignment + "' sets nothing",
@@ -153,7 +153,8 @@ void set_option(Scene& scene, const std::string& assignment) {
       parsed_key(scene, std::string(trimmed(assignment.substr(0, equals))));
   const OptionValue value =
       parsed_value(option, trimmed(std::string_view(assignment).substr(equals + 1)));
-  const OptionSource command_line{{}, std::filesystem::current_path()};
+  const OptionSource command_line{
+      {}, std::filesystem::current_path(), OptionSource::Paths::resolve, libraries};
   option.store(scene, element, checked(option, element, value, command_line));
   leave_one_shape(scene, option.key, element);
 }

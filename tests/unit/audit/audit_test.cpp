@@ -110,6 +110,31 @@ TEST_F(AuditTest, FindsScaledAndShearedInstances) {
   EXPECT_EQ(look().deformed.size(), 1U);
 }
 
+TEST_F(AuditTest, LetsAnInstanceStandInTheOpeningOfAnotherButNotInside) {
+  const Mesh room = test::box_mesh(dvec3(-9), dvec3(9));
+  const Mesh bowl = test::open_box_mesh(dvec3(-1), dvec3(1));
+  const auto overlaps = [&](double height) {
+    std::vector<Instance> two(2);
+    two[1].scale = 0.3;
+    two[1].translation.y = height;
+    Status status;
+    return audit({&room, {&bowl}, {{}}, two}, status).overlaps.size();
+  };
+  EXPECT_EQ(overlaps(1.5), 0U);
+  EXPECT_EQ(overlaps(1.0), 0U);
+  EXPECT_EQ(overlaps(0.0), 1U);
+}
+
+TEST_F(AuditTest, LetsAnInstanceStandInTheOpeningOfTheTargetButNotOutside) {
+  target_mesh_ = test::open_box_mesh(dvec3(-3), dvec3(3));
+  instances_.assign(1, Instance{});
+  EXPECT_TRUE(look().passed());
+  instances_[0].translation.y = 3.0;
+  EXPECT_TRUE(look().passed());
+  instances_[0].translation.y = 5.0;
+  EXPECT_EQ(look().protrusions.size(), 1U);
+}
+
 TEST_F(AuditTest, FindsANeighbourThatTouchesInOnePointOnly) {
   const Mesh box = test::box_mesh(dvec3(0), dvec3(1));
   const Mesh room = test::box_mesh(dvec3(-9), dvec3(9));

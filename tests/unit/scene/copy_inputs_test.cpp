@@ -27,6 +27,17 @@ TEST(CopyInputs, KeepsRelativeNames) {
   EXPECT_TRUE(status.notes.empty());
 }
 
+TEST(CopyInputs, TakesTheCreditBesideTheInput) {
+  const TemporaryFolder folder;
+  RecordingStatus status;
+  const auto mesh = folder.write("in/cup.obj", "mesh");
+  folder.write("in/cup.credit.json",
+               R"({"title": "Cup", "author": "A", "licence": "CC0", "link": ""})");
+  const auto input = copy_inputs({mesh}, folder.path() / "out", "target", status);
+  ASSERT_TRUE(input.credit);
+  EXPECT_EQ(input.credit->title, "Cup");
+}
+
 TEST(CopyInputs, StaysInTheFolderOfTheInput) {
   const TemporaryFolder folder;
   RecordingStatus status;

@@ -87,6 +87,18 @@ TEST_F(SculptureFile, ReadsBackTheSameBits) {
   }
 }
 
+TEST_F(SculptureFile, KeepsCredits) {
+  Sculpture sculpture = some_sculpture(1);
+  sculpture.elements[1].credit = Credit{"Hat \"H\"", "A. B.", "CC BY 3.0", "https://x.example"};
+  written(sculpture);
+  const Sculpture copy = read_sculpture(path);
+  EXPECT_FALSE(copy.target.credit);
+  EXPECT_FALSE(copy.elements[0].credit);
+  ASSERT_TRUE(copy.elements[1].credit);
+  EXPECT_EQ(copy.elements[1].credit->title, "Hat \"H\"");
+  EXPECT_EQ(copy.elements[1].credit->link, "https://x.example");
+}
+
 TEST_F(SculptureFile, NamesOnlyWhatIsInTheFolder) {
   EXPECT_THAT(written(some_sculpture(1)), ::testing::Not(::testing::HasSubstr("somewhere")));
   const Sculpture copy = read_sculpture(path);
