@@ -18,8 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `object { Element_3 matrix <12 numbers> }` in scene.pov.
+/// `#if (17 < Shown[3]) object { Element_3 matrix <12 numbers> } #end` in scene.pov.
 struct PovInstance {
+  std::size_t number = 0;
   std::uint32_t element = 0;
   std::array<double, 12> matrix{};
 };
@@ -41,7 +42,11 @@ bool read_number(std::string_view& text, Number& value) {
 }
 
 bool read_instance(std::string_view line, PovInstance& instance) {
-  if (!read_number(line, instance.element) || !skip(line, " matrix <")) {
+  std::uint32_t shown_with = 0;
+  if (!read_number(line, instance.number) || !skip(line, " < Shown[") ||
+      !read_number(line, shown_with) || !skip(line, "]) object { Element_") ||
+      !read_number(line, instance.element) || !skip(line, " matrix <") ||
+      instance.element != shown_with) {
     return false;
   }
   for (double& number : instance.matrix) {
@@ -50,22 +55,22 @@ bool read_instance(std::string_view line, PovInstance& instance) {
     }
     skip(line, ", ");
   }
-  return line == "> }";
+  return line == "> } #end";
 }
 
-/// All instances in scene.pov in the order of their lines; nothing where a line cannot be read.
+/// All instances in scene.pov by their numbers; nothing where a line cannot be read.
 std::optional<std::vector<PovInstance>> read_pov_instances(std::string_view text) {
   std::vector<PovInstance> instances;
   while (!text.empty()) {
     std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (skip(line, "object { Element_")) {
-      if (!read_instance(line, instances.emplace_back())) {
-        return std::nullopt;
-      }
+    if (line.find("object { Element_") != line.npos &&
+        (!skip(line, "#if (") || !read_instance(line, instances.emplace_back()))) {
+      return std::nullopt;
     }
   }
+  std::ranges::sort(instances, {}, &PovInstance::number);
   return instances;
 }
 
@@ -92,22 +97,20 @@ bool same_placement(const PovInstance& pov, const Instance& instance) {
   return true;
 }
 
-/// scene.pov has the instances grouped by element, in the order of placement within each.
+/// Whether scene.pov has every instance of the sculpture once, under its number.
 bool scene_agrees(const fs::path& folder, const Sculpture& sculpture) {
   const auto lines = read_pov_instances(read_file(folder / "scene.pov"));
   if (!lines || lines->size() != sculpture.instances.size()) {
     return false;
   }
-  std::vector<const Instance*> wanted;
-  for (const Instance& instance : sculpture.instances) {
-    wanted.push_back(&instance);
+  for (std::size_t i = 0; i < lines->size(); ++i) {
+    const PovInstance& pov = (*lines)[i];
+    const Instance& instance = sculpture.instances[i];
+    if (pov.number != i || pov.element != instance.element || !same_placement(pov, instance)) {
+      return false;
+    }
   }
-  std::stable_sort(wanted.begin(), wanted.end(),
-                   [](const Instance* a, const Instance* b) { return a->element < b->element; });
-  return std::equal(lines->begin(), lines->end(), wanted.begin(),
-                    [](const PovInstance& pov, const Instance* instance) {
-                      return pov.element == instance->element && same_placement(pov, *instance);
-                    });
+  return true;
 }
 
 /// "none", or how many and the first few.

@@ -128,8 +128,9 @@ Composition compose(const Scene& scene, const Workshop& workshop,
   composition.name = scene.name;
   composition.made_by = std::string("collage ") + version;
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
-    composition.elements.push_back({scene.elements[e].mesh.stem().string(),
-                                    workshop.element_files[e].mesh, scene.elements[e].color});
+    const Scene::Element& options = scene.elements[e];
+    composition.elements.push_back({options.mesh.stem().string(), workshop.element_files[e].mesh,
+                                    options.color, options.finish});
   }
   composition.instances = instances;
   composition.target = scene.target.sdf.empty() ? &workshop.target_mesh : nullptr;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "packing/options.h"
+#include "scene/finish.h"
 
 namespace collage {
 
@@ -27,6 +28,7 @@ struct Scene {
     double weight = 1.0;
     /// "#rrggbb" in sRGB; empty: the mesh file's materials.
     std::string color;
+    Finish finish = Finish::automatic;
   };
   struct Render {
     /// The template: one of ours by name, "studio", or the path of the user's .inc file.
