@@ -25,6 +25,9 @@ constexpr std::array named_views = {
     NamedView{"right", 90, 10}, NamedView{"top", 0, 89},    NamedView{"three-quarter", 35, 20},
 };
 
+/// Of the templates that others include: they make no picture by themselves.
+constexpr const char* shared_prefix = "collage";
+
 constexpr std::array quality_names = {"draft", "standard", "fine"};
 
 std::optional<double> number_in(std::string_view text) {
@@ -60,7 +63,7 @@ std::vector<std::string> templates_in(const fs::path& folder) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().stem().string();
-    if (entry.path().extension() == ".inc" && name != "collage" && is_plain(name)) {
+    if (entry.path().extension() == ".inc" && !name.starts_with(shared_prefix) && is_plain(name)) {
       names.push_back(name);
     }
   }
@@ -138,6 +141,7 @@ std::string job_text(const Shot& shot) {
   append_declare(text, "Quality", static_cast<int>(shot.quality));
   append_declare(text, "Stage", shot.stage);
   append_declare(text, "Only_Element", shot.only_element.value_or(-1));
+  append_declare(text, "All_Round", shot.framing == Shot::Framing::all_round ? 1 : 0);
   text += "#declare Template = \"" + shot.look + ".inc\";\n";
   return text + "#include \"scene.pov\"\n";
 }
@@ -148,17 +152,13 @@ std::vector<std::string> povray_options(const Shot& shot) {
                                       shot.format == PictureFormat::exr ? "+FE" : "+FN",
                                       "-D",
                                       "-J",
+                                      "+SU",
+                                      "+BM2",
                                       "-GA"};
-  switch (shot.quality) {
-    case Quality::draft:
-      options.insert(options.end(), {"+A0.3", "+AM1", "+R2"});
-      break;
-    case Quality::standard:
-      options.insert(options.end(), {"+A0.2", "+AM2", "+R2"});
-      break;
-    case Quality::fine:
-      options.insert(options.end(), {"+A0.15", "+AM2", "+R2"});
-      break;
+  if (shot.quality == Quality::draft) {
+    options.insert(options.end(), {"+A0.3", "+AM1", "+R2"});
+  } else {
+    options.insert(options.end(), {"+A0.3", "+AM2", "+R2"});
   }
   return options;
 }

@@ -21,8 +21,8 @@ View parse_view(const std::string& text);
 /// The view's name as part of a file name: "front", "30_15".
 std::string file_stem(const View& view);
 
-/// What the templates make of it: draft and standard are deterministic; fine may use radiosity,
-/// whose pixels differ from run to run where POV-Ray uses more than one thread.
+/// What the templates make of it: more lamps, more of the reflections. Ours give equal pixels on any
+/// number of threads; a template with radiosity would not.
 enum class Quality { draft, standard, fine };
 /// "draft", "standard", "fine". Throws Error for anything else.
 Quality parse_quality(const std::string& text);
@@ -42,6 +42,9 @@ struct Shot {
   double stage = 1.0;
   /// Index of the one element shown; nullopt: all.
   std::optional<int> only_element;
+  /// What has room in the picture: the sculpture as this view shows it, or as it turns all round,
+  /// so that the pictures of all azimuths show it in one size and place.
+  enum class Framing { view, all_round } framing = Framing::view;
   PictureFormat format = PictureFormat::png;
 };
 
@@ -51,8 +54,9 @@ void check_shot(const Shot& shot, const std::filesystem::path& folder);
 /// The text of the job file: declares what the shot chooses and includes scene.pov.
 std::string job_text(const Shot& shot);
 
-/// POV-Ray's options for size, format and antialiasing. Jitter is always off, so that equal input
-/// gives equal pixels.
+/// POV-Ray's options for size, format, bounding and antialiasing. Jitter is always off, so that
+/// equal input gives equal pixels. +SU looks into the unions in which instances lie, without which
+/// a picture takes three times as long; +BM2 takes a seventh less time than the default bounding.
 std::vector<std::string> povray_options(const Shot& shot);
 
 /// ".png" or ".exr".

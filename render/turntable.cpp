@@ -42,6 +42,7 @@ void check(const Turntable& turntable) {
 Shot frame_shot(const Turntable& turntable, int frame) {
   Shot shot = turntable.shot;
   shot.format = PictureFormat::png;
+  shot.framing = Shot::Framing::all_round;
   shot.view.azimuth_degrees =
       std::fmod(shot.view.azimuth_degrees + 360.0 * (frame - 1) / turntable.frames, 360.0);
   return shot;

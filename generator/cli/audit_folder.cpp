@@ -47,8 +47,8 @@ bool same_shape(const PovrayScene& scene, const std::string& name, const Mesh& m
          found->second.triangles == mesh.triangles;
 }
 
-/// What scene.pov says otherwise than sculpture.json and the meshes; empty: nothing. It has the
-/// instances grouped by element, in the order of placement within each.
+/// What scene.pov says otherwise than sculpture.json and the meshes; empty: nothing. Each
+/// instance stands there once, under its number in the order of placement.
 std::string scene_difference(const fs::path& folder, const FinishedFolder& finished) {
   PovrayScene scene;
   try {
@@ -69,16 +69,14 @@ std::string scene_difference(const fs::path& folder, const FinishedFolder& finis
     return fmt::format("holds {} instances, not {}", grouped(scene.instances.size()),
                        grouped(instances.size()));
   }
-  std::vector<const Instance*> wanted;
-  for (const Instance& instance : instances) {
-    wanted.push_back(&instance);
-  }
-  std::ranges::stable_sort(wanted, {}, &Instance::element);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const PovrayScene::Instance& pov = scene.instances[i];
-    if (pov.element != wanted[i]->element || !same_placement(pov, *wanted[i])) {
+  std::vector<bool> seen(instances.size());
+  for (const PovrayScene::Instance& pov : scene.instances) {
+    const bool known = pov.number < instances.size() && !seen[pov.number];
+    if (!known || pov.element != instances[pov.number].element ||
+        !same_placement(pov, instances[pov.number])) {
       return fmt::format("line {} places another instance than sculpture.json", pov.line);
     }
+    seen[pov.number] = true;
   }
   return "";
 }

@@ -55,8 +55,9 @@ Composition composition_of(const FinishedFolder& finished) {
   composition.name = sculpture.options.name;
   composition.made_by = std::string("collage ") + version;
   for (std::size_t e = 0; e < finished.elements.size(); ++e) {
+    const Scene::Element& options = sculpture.options.elements[e];
     composition.elements.push_back(
-        {sculpture.elements[e].name, finished.elements[e], sculpture.options.elements[e].color});
+        {sculpture.elements[e].name, finished.elements[e], options.color, options.finish});
   }
   composition.instances = sculpture.instances;
   if (finished.target) {

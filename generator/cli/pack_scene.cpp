@@ -141,8 +141,9 @@ Composition compose(const Scene& scene, const Workshop& workshop,
   composition.name = scene.name;
   composition.made_by = std::string("collage ") + version;
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    const Scene::Element& options = scene.elements[e];
     composition.elements.push_back(
-        {scene.elements[e].name(), workshop.element_files[e].mesh, scene.elements[e].color});
+        {options.name(), workshop.element_files[e].mesh, options.color, options.finish});
   }
   composition.instances = instances;
   composition.target = scene.target.sdf.empty() ? &workshop.target_mesh : nullptr;

@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
+#include "geometry/color.h"
 #include "geometry/obj_text.h"
 #include "geometry/tiny_obj.h"
 
@@ -56,16 +58,49 @@ dvec3 color_of(const double (&rgb)[3], double limit) {
   return {clamped(rgb[0], 0, limit), clamped(rgb[1], 0, limit), clamped(rgb[2], 0, limit)};
 }
 
-Material convert(const tinyobj::material_t& from, const fs::path& folder, Status& status) {
+void append_value(std::string& text, const char* keyword, double value) {
+  text += keyword;
+  text += ' ';
+  append_number(text, value);
+  text += '\n';
+}
+
+void append_color(std::string& text, const char* keyword, const dvec3& color) {
+  text += keyword;
+  for (int channel = 0; channel < 3; ++channel) {
+    text += ' ';
+    append_number(text, tidy(color[channel]));
+  }
+  text += '\n';
+}
+
+/// Whether a library's Kd are linear light. Most programs write and show them as a screen is sent
+/// them; Blender says in the first line who wrote the file.
+enum class Colors { encoded, linear };
+Colors colors_of(std::string_view library) {
+  return library.starts_with("# Blender") ? Colors::linear : Colors::encoded;
+}
+
+Material convert(const tinyobj::material_t& from, Colors colors, const fs::path& folder,
+                 Status& status) {
   Material material;
   material.name = trimmed(from.name);
   material.color = color_of(from.diffuse, 1.0);
+  if (colors == Colors::encoded) {
+    material.color = linear_from_srgb(material.color);
+  }
   material.specular = color_of(from.specular, 1.0);
   material.emission = color_of(from.emission, 1e6);
   material.shininess = clamped(from.shininess, 0.0, 1000.0);
   material.opacity = clamped(from.dissolve, 0.0, 1.0);
   if (from.ior != 1.0) {
     material.refraction_index = clamped(from.ior, 1.0, 10.0);
+  }
+  if (std::max({from.roughness, from.metallic, from.sheen, from.clearcoat_thickness}) > 0.0) {
+    material.roughness = clamped(from.roughness, 0.0, 1.0);
+    material.metallic = clamped(from.metallic, 0.0, 1.0);
+    material.sheen = clamped(from.sheen, 0.0, 1.0);
+    material.clearcoat = clamped(from.clearcoat_thickness, 0.0, 1.0);
   }
   const std::string_view texture = trimmed(from.diffuse_texname);
   if (const auto file = file_inside(folder, texture)) {
@@ -79,7 +114,8 @@ Material convert(const tinyobj::material_t& from, const fs::path& folder, Status
 
 void read_library(const fs::path& file, const fs::path& folder, MaterialFiles& result,
                   Status& status) {
-  std::istringstream stream(read_file(file, limit_bytes));
+  const std::string library = read_file(file, limit_bytes);
+  std::istringstream stream(library);
   std::map<std::string, int> indices;
   std::vector<tinyobj::material_t> materials;
   std::string warning;
@@ -90,7 +126,7 @@ void read_library(const fs::path& file, const fs::path& folder, MaterialFiles& r
         std::any_of(result.materials.begin(), result.materials.end(),
                     [&](const Material& other) { return other.name == trimmed(material.name); });
     if (!known && !trimmed(material.name).empty()) {
-      result.materials.push_back(convert(material, folder, status));
+      result.materials.push_back(convert(material, colors_of(library), folder, status));
     }
   }
   result.files.push_back(file);
@@ -133,6 +169,23 @@ std::optional<fs::path> file_inside(const fs::path& folder, std::string_view nam
     return std::nullopt;
   }
   return folder / relative;
+}
+
+std::string material_text(const Material& material) {
+  std::string text;
+  append_color(text, "Kd", srgb_from_linear(material.color));
+  append_color(text, "Ks", material.specular);
+  append_color(text, "Ke", material.emission);
+  append_value(text, "Ns", material.shininess);
+  append_value(text, "Ni", material.refraction_index);
+  append_value(text, "d", material.opacity);
+  if (material.roughness) {
+    append_value(text, "Pr", *material.roughness);
+    append_value(text, "Pm", material.metallic);
+    append_value(text, "Ps", material.sheen);
+    append_value(text, "Pc", material.clearcoat);
+  }
+  return text;
 }
 
 MaterialFiles read_materials(const fs::path& folder, const std::vector<std::string>& libraries,

@@ -24,11 +24,15 @@ struct MaterialFiles {
 };
 
 /// Reads what `mtllib` lines name: each a file whose name may hold blanks, or several names. Takes
-/// Kd, Ks, Ns, d or 1 - Tr, Ni, Ke and map_Kd; of two materials with one name the first counts.
-/// Numbers beyond their range are clamped; Ni = 1 counts as not given. Missing files, and files and
-/// textures outside `folder`, are noted and left out.
+/// Kd, Ks, Ns, d or 1 - Tr, Ni, Ke, Pr, Pm, Ps, Pc and map_Kd; of two materials with one name the
+/// first counts. Kd is taken as sRGB, but as linear light where Blender wrote the file, as it says
+/// in the first line. Numbers beyond their range are clamped; Ni = 1 counts as not given. Missing
+/// files, and files and textures outside `folder`, are noted and left out.
 MaterialFiles read_materials(const std::filesystem::path& folder,
                              const std::vector<std::string>& libraries, Status& status);
+
+/// What MTL says of a material between its newmtl and its map_Kd, a line a value.
+std::string material_text(const Material& material);
 
 /// Replaces the triangles' indices into `names` (-1: none) by indices into mesh.materials, which it
 /// fills with what the names mean in the order in which triangles use them. A name without a

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::uvec3;
 
-/// How a surface looks. Colours are linear-light RGB from 0 to 1 as MTL's Kd means them.
+/// How a surface looks. Colours are linear-light RGB from 0 to 1.
 struct Material {
   std::string name;
   dvec3 color{0.8};
@@ -24,6 +25,12 @@ struct Material {
   double opacity = 1.0;
   double refraction_index = 1.45;
   dvec3 emission{0.0};
+  /// MTL's Pr, Pm, Ps and Pc, each 0 to 1; without a roughness the file has none of them, and
+  /// `specular` and `shininess` count.
+  std::optional<double> roughness;
+  double metallic = 0.0;
+  double sheen = 0.0;
+  double clearcoat = 0.0;
   /// Picture for the colour, looked up by uv; empty for none. A path that exists, inside the folder
   /// of the mesh file.
   std::filesystem::path texture;

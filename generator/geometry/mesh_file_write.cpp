@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "geometry/material_file.h"
 #include "geometry/mesh_file.h"
 
 namespace collage {
@@ -20,10 +21,6 @@ void append_line(std::string& text, std::string_view keyword,
     append_number(text, numbers[i]);
   }
   text += '\n';
-}
-
-void append_number_line(std::string& text, std::string_view keyword, double number) {
-  append_line(text, keyword, glm::vec<1, double>(number));
 }
 
 /// A name that fits on a line, the same for no two materials.
@@ -45,17 +42,12 @@ void append_header(std::string& text, std::string_view comment) {
   }
 }
 
-std::string material_text(const Mesh& mesh, const fs::path& folder) {
+std::string library_text(const Mesh& mesh, const fs::path& folder) {
   std::string text;
   for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
     const Material& material = mesh.materials[i];
     text += (i > 0 ? "\nnewmtl " : "newmtl ") + safe_name(mesh, i) + "\n";
-    append_line(text, "Kd", material.color);
-    append_line(text, "Ks", material.specular);
-    append_line(text, "Ke", material.emission);
-    append_number_line(text, "Ns", material.shininess);
-    append_number_line(text, "Ni", material.refraction_index);
-    append_number_line(text, "d", material.opacity);
+    text += material_text(material);
     if (!material.texture.empty()) {
       const fs::path name = fs::absolute(material.texture).lexically_relative(fs::absolute(folder));
       text += "map_Kd " + name.generic_string() + "\n";
@@ -112,7 +104,7 @@ void write_obj(const fs::path& path, const Mesh& mesh, std::string_view header_c
     const fs::path library = fs::path(path).replace_extension(".mtl");
     std::string materials;
     append_header(materials, header_comment);
-    write_file(library, materials + material_text(mesh, path.parent_path()));
+    write_file(library, materials + library_text(mesh, path.parent_path()));
     text += "mtllib " + library.filename().string() + "\n";
   }
   write_file(path, text + mesh_text(mesh));

@@ -6,6 +6,7 @@
 
 #include "geometry/instance.h"
 #include "geometry/mesh.h"
+#include "scene/finish.h"
 
 namespace collage {
 
@@ -16,7 +17,8 @@ struct Composition {
     std::string name;
     const Mesh& mesh;
     /// "#rrggbb" in sRGB, in place of the mesh's materials; empty for none.
-    std::string color;
+    std::string color = {};
+    Finish finish = Finish::automatic;
   };
 
   std::string name;

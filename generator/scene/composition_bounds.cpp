@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include <glm/gtc/constants.hpp>
 
 namespace collage {
 namespace {
@@ -72,6 +75,38 @@ double radius_round(const dvec3& axis, const Composition& composition) {
   return radius;
 }
 
+/// Evenly spread unit vectors (golden angle).
+std::vector<dvec3> directions() {
+  constexpr int count = 128;
+  std::vector<dvec3> result;
+  for (int k = 0; k < count; ++k) {
+    const double y = 1.0 - (2.0 * k + 1.0) / count;
+    const double flat = std::sqrt(1.0 - y * y);
+    const double turn = k * glm::pi<double>() * (3.0 - std::sqrt(5.0));
+    result.emplace_back(flat * std::cos(turn), y, flat * std::sin(turn));
+  }
+  return result;
+}
+
+/// The farthest of the points that `visit_points` shows to whom it is given, in each direction.
+template <class VisitPoints>
+std::vector<dvec3> outline_of(VisitPoints visit_points) {
+  std::vector<dvec3> outline;
+  for (const dvec3& direction : directions()) {
+    double distance = -std::numeric_limits<double>::infinity();
+    dvec3 farthest(0.0);
+    const auto stands_out = [&](const dvec3& p) { return glm::dot(p, direction) > distance; };
+    visit_points(stands_out, [&](const dvec3& p) {
+      if (stands_out(p)) {
+        distance = glm::dot(p, direction);
+        farthest = p;
+      }
+    });
+    outline.push_back(farthest);
+  }
+  return outline;
+}
+
 }  // namespace
 
 CompositionBounds bounds_of(const Composition& composition) {
@@ -83,6 +118,18 @@ CompositionBounds bounds_of(const Composition& composition) {
     both.include(composition.target_box.max);
   }
   bounds.radius = radius_round(both.center(), composition);
+  const Corners corners = corners_of(composition.target_box);
+  bounds.outline = {corners.begin(), corners.end()};
+  bounds.target_outline = bounds.outline;
+  if (!composition.instances.empty()) {
+    bounds.outline = outline_of([&](auto stands_out, auto visit) {
+      for_each_outstanding_vertex(composition, stands_out, visit);
+    });
+  }
+  if (composition.target != nullptr) {
+    bounds.target_outline =
+        outline_of([&](auto, auto visit) { for_each_vertex(*composition.target, visit); });
+  }
   return bounds;
 }
 

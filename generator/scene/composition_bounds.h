@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "scene/composition.h"
 
 namespace collage {
@@ -11,10 +13,15 @@ struct CompositionBounds {
   /// Distance of the farthest vertex, of the instances and of the target's mesh, from the upright
   /// axis through the middle of the box of both.
   double radius = 0.0;
+  /// The farthest of the instances' vertices in 128 directions all round, and of the target's. What
+  /// they span falls short of the rest by 2 % of its size at most. Where there are no vertices, the
+  /// corners of the target's box.
+  std::vector<dvec3> outline;
+  std::vector<dvec3> target_outline;
 };
 
-/// Exact up to rounding. Cost: eight corners an instance, and all vertices of those few whose
-/// corners stand out.
+/// Exact up to rounding. Cost: eight corners an instance and direction, and all vertices of those
+/// few whose corners stand out.
 CompositionBounds bounds_of(const Composition& composition);
 
 }  // namespace collage

@@ -3,7 +3,8 @@
 #include <array>
 #include <cassert>
 #include <charconv>
-#include <cmath>
+
+#include "geometry/color.h"
 
 namespace collage {
 namespace {
@@ -11,10 +12,6 @@ namespace {
 /// Warm white, terracotta, teal, ochre, sage, slate blue, plum, sand.
 constexpr std::array palette{"#e9dfcd", "#c4573a", "#2b7f86", "#d8a23c",
                              "#8b9c63", "#4d6c91", "#7b4b69", "#c7b08a"};
-
-double linear_from_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 ElementLook plain(const std::string& color) {
   Material material;
@@ -31,9 +28,9 @@ dvec3 linear_color(const std::string& hex) {
     const char* digits = hex.data() + 1 + 2 * channel;
     unsigned value = 0;
     std::from_chars(digits, digits + 2, value, 16);
-    color[channel] = linear_from_srgb(value / 255.0);
+    color[channel] = value / 255.0;
   }
-  return color;
+  return linear_from_srgb(color);
 }
 
 ElementLook look_of(const Composition::Element& element, std::size_t index) {

@@ -3,11 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <glm/ext/vector_double1.hpp>
-
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "geometry/material_file.h"
 #include "scene/element_look.h"
 #include "scene/pov_text.h"
 #include "scene/texture_copies.h"
@@ -40,12 +39,9 @@ std::string row(const char* keyword, const Vector& v) {
   return text + "\n";
 }
 
-std::string material_text(const std::string& name, const Material& material,
-                          TextureCopies& textures) {
-  std::string text =
-      "newmtl " + name + "\n" + row("Kd", material.color) + row("Ks", material.specular) +
-      row("Ke", material.emission) + row("Ns", glm::dvec1(material.shininess)) +
-      row("d", glm::dvec1(material.opacity)) + row("Ni", glm::dvec1(material.refraction_index));
+std::string named_material_text(const std::string& name, const Material& material,
+                                TextureCopies& textures) {
+  std::string text = "newmtl " + name + "\n" + material_text(material);
   if (!material.texture.empty()) {
     if (const auto copy = textures.add(material.texture)) {
       text += "map_Kd " + copy->name + "\n";
@@ -90,7 +86,7 @@ class Exporter {
     std::string text;
     for (std::size_t k = 0; k < looks_.size(); ++k) {
       for (std::size_t m = 0; m < looks_[k].materials.size(); ++m) {
-        text += material_text(material_name(k, m), looks_[k].materials[m], textures);
+        text += named_material_text(material_name(k, m), looks_[k].materials[m], textures);
       }
     }
     write_file(path_.parent_path() / name, text);

@@ -96,6 +96,9 @@ void append_element_options(std::vector<Option>& table) {
                                  {.unit = "in sRGB",
                                   .help = "its colour, in place of the mesh file's materials",
                                   .form = TextForm::color}));
+  table.push_back(element_option(
+      "element.finish", [](auto& e) -> auto& { return e.finish; },
+      {.help = "how it reflects light; \"auto\": as its materials say", .words = finish_words()}));
 }
 
 void append_packing_options(std::vector<Option>& table) {

@@ -127,21 +127,37 @@ class Reader {
     }
   }
 
+  /// A union of instances and of unions.
   void read_union(std::vector<PovrayScene::Instance>& instances) {
-    for (require_line(); line_ != "}"; require_line()) {
-      if (skip(line_, "object { Element_")) {
-        PovrayScene::Instance& instance = instances.emplace_back();
-        instance.line = number_;
-        if (!read_number(line_, instance.element) || !skip(line_, " matrix ") ||
-            !read_vector(line_, instance.matrix.data(), 12) || line_ != " }") {
-          fail();
-        }
-      } else if (!line_.starts_with("#if (Shows_Element(") && !line_.starts_with("#if (Stage > ") &&
-                 line_ != "#end" && line_ != "interior { Element_Interior }" &&
+    for (int depth = 1; depth > 0;) {
+      require_line();
+      if (line_ == "union {") {
+        ++depth;
+      } else if (line_ == "}") {
+        --depth;
+      } else if (skip(line_, "#if (")) {
+        instances.push_back(read_instance());
+      } else if (!line_.starts_with("bounded_by { box { <") &&
+                 line_ != "interior { Element_Interior }" &&
                  line_ != "transform { Place_Sculpture }") {
         fail();
       }
     }
+  }
+
+  /// The rest of `#if (17 < Shown[3]) object { Element_3 matrix <12 numbers> } #end`.
+  PovrayScene::Instance read_instance() {
+    PovrayScene::Instance instance;
+    instance.line = number_;
+    std::uint32_t shown_with = 0;
+    const bool known = read_number(line_, instance.number) && skip(line_, " < Shown[") &&
+                       read_number(line_, shown_with) && skip(line_, "]) object { Element_") &&
+                       read_number(line_, instance.element) && skip(line_, " matrix ") &&
+                       read_vector(line_, instance.matrix.data(), 12) && line_ == " } #end";
+    if (!known || instance.element != shown_with) {
+      fail();
+    }
+    return instance;
   }
 
   std::filesystem::path path_;

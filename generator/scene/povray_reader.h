@@ -13,8 +13,10 @@ namespace collage {
 
 /// The geometry of a scene.pov as write_povray() lays it out, read back for the audit.
 struct PovrayScene {
-  /// `object { Element_3 matrix <12 numbers> }`: three columns and the translation.
+  /// The matrix is three columns and the translation.
   struct Instance {
+    /// In the order of placement.
+    std::size_t number = 0;
     std::uint32_t element = 0;
     std::array<double, 12> matrix{};
     int line = 0;

@@ -1,11 +1,14 @@
 #include "scene/povray_writer.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "base/file.h"
 #include "base/text.h"
 #include "scene/composition_bounds.h"
 #include "scene/element_look.h"
+#include "scene/neighbourhoods.h"
 #include "scene/pov_mesh.h"
 #include "scene/pov_text.h"
 #include "scene/texture_copies.h"
@@ -13,7 +16,12 @@
 namespace collage {
 namespace {
 
-constexpr std::size_t stages = 100;
+/// The macros of finishes.inc, in the order of Finish.
+constexpr std::array finish_macros{"As_In_File", "Ceramic", "Plastic", "Felt",  "Lacquer",
+                                   "Matt",       "Satin",   "Metal",   "Glass", "Milk"};
+
+constexpr const char* outermost =
+    "  interior { Element_Interior }\n  transform { Place_Sculpture }\n";
 
 std::string counted(std::size_t count, const std::string& noun) {
   return grouped(count) + " " + noun + (count == 1 ? "" : "s");
@@ -25,12 +33,26 @@ std::string declared(const std::string& name, const std::string& value) {
   return "#declare " + name + " = " + value + ";\n";
 }
 
+/// A macro gives the value, ends and all.
+std::string declared_macro(const std::string& name, const std::string& call) {
+  return "#declare " + name + " = " + call + "\n";
+}
+
+std::string phong_numbers(const Material& m) {
+  return ", " + pov_vector(m.specular) + ", " + number_text(m.shininess);
+}
+
+std::string physical_numbers(const Material& m) {
+  return ", " + number_text(m.roughness.value_or(1.0)) + ", " + number_text(m.metallic) + ", " +
+         number_text(m.sheen) + ", " + number_text(m.clearcoat);
+}
+
 std::string header(const Composition& composition, const std::string& template_name) {
   return "// " + plain_name(composition.name) + ": " +
          counted(composition.instances.size(), "instance") + " of " +
          counted(composition.elements.size(), "element") + ", made by " +
          plain_name(composition.made_by) +
-         ".\n// A picture: povray +Iscene.pov +W1280 +H960 +A0.3\n"
+         ".\n// A picture: povray +Iscene.pov +W1280 +H960 +A0.3 +SU\n"
          "#version 3.7;\n\n"
          "// The view and what is shown. For another picture declare other values in a file that\n"
          "// then includes this one.\n"
@@ -40,21 +62,62 @@ std::string header(const Composition& composition, const std::string& template_n
          "#ifndef (Stage) #declare Stage = 1; #end                 // share of the instances "
          "shown\n"
          "#ifndef (Only_Element) #declare Only_Element = -1; #end  // -1: all elements\n"
+         "#ifndef (All_Round) #declare All_Round = 0; #end         // 1: room for it to turn "
+         "round\n"
          "#ifndef (Template) #declare Template = " +
          pov_string(template_name + ".inc") + "; #end\n\n";
+}
+
+std::string outline_text(const std::string& name, const std::vector<dvec3>& outline) {
+  std::string text = "#declare " + name + " = array[" + std::to_string(outline.size()) + "] {";
+  const char* separator = "\n  ";
+  for (const dvec3& point : outline) {
+    text += separator + pov_vector(point);
+    separator = ",\n  ";
+  }
+  return text + "\n}\n";
 }
 
 std::string bounds(const Composition& composition) {
   const CompositionBounds bounds = bounds_of(composition);
   return "// Boxes of all instances and of the target, in the units of the meshes; y is up. The\n"
-         "// radius is that of the upright cylinder round the middle of both that holds them.\n" +
+         "// radius is that of the upright cylinder round the middle of both that holds them, the\n"
+         "// outlines are their outermost points.\n" +
          declared("Sculpture_Min", pov_vector(bounds.instances.min)) +
          declared("Sculpture_Max", pov_vector(bounds.instances.max)) +
          declared("Sculpture_Radius", number_text(bounds.radius)) +
          declared("Target_Min", pov_vector(composition.target_box.min)) +
          declared("Target_Max", pov_vector(composition.target_box.max)) +
-         declared("Has_Target", composition.target != nullptr ? "1" : "0") +
-         declared("Element_Count", std::to_string(composition.elements.size())) + "\n";
+         outline_text("Sculpture_Outline", bounds.outline) +
+         outline_text("Target_Outline", bounds.target_outline) +
+         declared("Has_Target", composition.target != nullptr ? "1" : "0") + "\n";
+}
+
+bool is_clear(const Composition& composition) {
+  bool clear = false;
+  for (std::size_t k = 0; k < composition.elements.size(); ++k) {
+    const Composition::Element& element = composition.elements[k];
+    const std::vector<Material> materials = look_of(element, k).materials;
+    clear |= element.finish == Finish::glass ||
+             std::ranges::any_of(materials, [](const Material& m) { return m.opacity < 1.0; });
+  }
+  return clear;
+}
+
+/// How many instances are shown of each element, by their numbers in the order of placement.
+std::string shown(const Composition& composition) {
+  const std::string elements = std::to_string(composition.elements.size());
+  return declared("Element_Count", elements) +
+         declared("Instance_Count", std::to_string(composition.instances.size())) +
+         declared("Has_Glass", is_clear(composition) ? "1" : "0") +
+         "// Of element K those instances are shown whose number in the order of placement is "
+         "less\n"
+         "// than Shown[K].\n"
+         "#declare Shown = array[" +
+         elements +
+         "]\n#local K = 0;\n#while (K < Element_Count)\n"
+         "  #declare Shown[K] = Stage * Instance_Count * (Only_Element < 0 | Only_Element = K);\n"
+         "  #local K = K + 1;\n#end\n\n";
 }
 
 /// One run of the writer.
@@ -66,14 +129,17 @@ class Writer {
   void write(const std::string& template_name) {
     file_.append(header(composition_, template_name));
     file_.append(bounds(composition_));
+    file_.append(shown(composition_));
     append_target();
     file_.append(
-        "#include \"collage.inc\"  // framing, camera, materials\n"
-        "#include Template       // light, floor, finish\n\n");
+        "#include \"collage.inc\"  // framing, camera, light, floor, finishes\n"
+        "#include Template       // how they are used\n\n");
     for (std::size_t k = 0; k < composition_.elements.size(); ++k) {
       append_element(k);
     }
-    append_union();
+    file_.append("#declare Sculpture =\n");
+    append_neighbourhood(neighbourhoods(composition_), outermost);
+    file_.append("object { Sculpture }\nSet_Floor(Sculpture)\n");
     file_.commit();
   }
 
@@ -85,63 +151,66 @@ class Writer {
                  counted(element.mesh.triangles.size(), "triangle") + "\n");
     MeshTextures textures{{}, look.assignment};
     for (std::size_t m = 0; m < look.materials.size(); ++m) {
-      const std::string suffix = "_Material_" + std::to_string(m);
-      textures.textures.push_back(element_name(k) + suffix);
-      append_material(textures.textures.back(), look.materials[m], element.mesh);
+      textures.textures.push_back(element_name(k) + "_Material_" + std::to_string(m));
+      append_material(textures.textures.back(), look.materials[m], element);
     }
     append_mesh2(file_, element_name(k), element.mesh, textures);
     file_.append("\n");
   }
 
-  void append_material(const std::string& name, const Material& material, const Mesh& mesh) {
+  void append_material(const std::string& name, const Material& material,
+                       const Composition::Element& element) {
+    append_paint(name + "_Paint", material, element.mesh);
+    std::string call = finish_macros.at(static_cast<std::size_t>(element.finish));
+    std::string numbers;
+    if (element.finish == Finish::automatic) {
+      call += material.roughness ? "_Physically" : "";
+      numbers = material.roughness ? physical_numbers(material) : phong_numbers(material);
+    }
+    file_.append(declared_macro(
+        name, call + "(" + name + "_Paint, " + pov_vector(material.emission) + numbers + ")"));
+  }
+
+  void append_paint(const std::string& name, const Material& material, const Mesh& mesh) {
     const bool has_uv = !mesh.uv_triangles.empty();
     const auto picture =
         has_uv && !material.texture.empty() ? textures_.add(material.texture) : std::nullopt;
-    std::string macro = "Material(" + pov_vector(material.color);
-    if (picture) {
-      file_.append("#declare " + name + "_Image = pigment { image_map { " + picture->format + " " +
-                   pov_string(picture->name) + " interpolate 2 } }\n");
-      macro = "Image_Material(" + name + "_Image";
+    const std::string opacity = ", " + number_text(material.opacity) + ")";
+    if (!picture) {
+      file_.append(declared_macro(name, "Plain_Paint(" + pov_vector(material.color) + opacity));
+      return;
     }
-    file_.append("#declare " + name + " = " + macro + ", " + pov_vector(material.specular) + ", " +
-                 number_text(material.shininess) + ", " + number_text(material.opacity) + ", " +
-                 number_text(material.refraction_index) + ", " + pov_vector(material.emission) +
-                 ")\n");
+    file_.append("#declare " + name + "_Image = pigment { image_map { " + picture->format + " " +
+                 pov_string(picture->name) + " interpolate 2 } }\n" +
+                 declared_macro(name, "Picture_Paint(" + name + "_Image" + opacity));
   }
 
-  void append_union() {
+  /// The innermost neighbourhoods hold instances, the others neighbourhoods.
+  void append_neighbourhood(const Neighbourhood& place, const std::string& settings) {
     file_.append("union {\n");
-    for (std::size_t k = 0; k < composition_.elements.size(); ++k) {
-      append_instances_of(k);
+    for (const Neighbourhood& part : place.parts) {
+      append_neighbourhood(part, "");
     }
-    file_.append("  interior { Element_Interior }\n  transform { Place_Sculpture }\n}\n");
+    for (const std::uint32_t i : place.instances) {
+      append_instance(i);
+    }
+    if (!composition_.instances.empty()) {
+      file_.append("  bounded_by { box { " + pov_vector(place.box.min) + ", " +
+                   pov_vector(place.box.max) + " } }\n");
+    }
+    file_.append(settings + "}\n");
   }
 
-  void append_instances_of(std::size_t k) {
-    const std::size_t count = composition_.instances.size();
-    std::size_t open_stage = stages;  // none
-    file_.append("#if (Shows_Element(" + std::to_string(k) + "))\n");
-    for (std::size_t i = 0; i < count; ++i) {
-      if (composition_.instances[i].element != k) {
-        continue;
-      }
-      if (const std::size_t stage = i * stages / count; stage != open_stage) {
-        file_.append(open_stage == stages ? "" : "#end\n");
-        file_.append("#if (Stage > " + number_text(static_cast<double>(stage) / stages) + ")\n");
-        open_stage = stage;
-      }
-      append_instance(composition_.instances[i]);
-    }
-    file_.append(open_stage == stages ? "#end\n" : "#end\n#end\n");
-  }
-
-  void append_instance(const Instance& instance) {
+  /// `#if (17 < Shown[0]) object { Element_0 matrix <…> } #end`
+  void append_instance(std::size_t i) {
+    const Instance& instance = composition_.instances[i];
     const glm::dmat3 m = glm::mat3_cast(instance.rotation) * instance.scale;
     const dvec3& t = instance.translation;
-    line_ = "object { " + element_name(instance.element) + " matrix ";
+    line_ = "#if (" + std::to_string(i) + " < Shown[" + std::to_string(instance.element) +
+            "]) object { " + element_name(instance.element) + " matrix ";
     append_vector(line_, {m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z,  //
                           m[2].x, m[2].y, m[2].z, t.x, t.y, t.z});
-    line_ += " }\n";
+    line_ += " } #end\n";
     file_.append(line_);
   }
 

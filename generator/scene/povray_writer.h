@@ -9,15 +9,16 @@
 namespace collage {
 
 /// Writes scene.pov into `folder`, whole or not at all, and copies of the materials' pictures
-/// beside it as texture-0.png, … Each element is one mesh2, each instance one matrix; instances are
-/// grouped by element and by hundredths of the order of placement, so that a picture can show one
-/// element or a stage of the assembly. The folder must get collage.inc and `template_name`.inc as
-/// well.
+/// beside it as texture-0.png, … Each element is one mesh2, each instance one matrix, shown by its
+/// number in the order of placement, so that a picture can show one element or a stage of the
+/// assembly. Instances lie in nested unions with boxes, through which POV-Ray's trace() finds its
+/// way fast; to render as fast, POV-Ray wants +SU, which looks into the unions. The folder must get
+/// the templates as well.
 ///
 /// The target's mesh is declared as Target ahead of the templates, for those that show it. For the
-/// rest, collage.inc provides the macros Material, Image_Material and Shows_Element and the
-/// interior Element_Interior, and the template the transform Place_Sculpture. See
-/// templates/collage.inc.
+/// rest, collage.inc provides the paints and finishes, the interior Element_Interior and the macro
+/// Set_Floor, which the template may declare anew and which is called at the end, and the template
+/// the transform Place_Sculpture. See templates/collage.inc.
 ///
 /// Nothing from a mesh or scene file reaches POV-Ray but numbers and names reduced to letters and
 /// digits in comments. Throws Error where a file cannot be written. Cost: about a microsecond an

@@ -9,6 +9,7 @@
 
 #include "geometry/letters.h"
 #include "packing/options.h"
+#include "scene/finish.h"
 
 namespace collage {
 
@@ -31,6 +32,7 @@ struct Scene {
     double weight = 1.0;
     /// "#rrggbb" in sRGB; empty: the mesh file's materials.
     std::string color;
+    Finish finish = Finish::automatic;
 
     /// For people.
     [[nodiscard]] std::string name() const {

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "geometry/color.h"
 #include "geometry/models.h"
 #include "test_meshes.h"
 
@@ -208,11 +209,11 @@ TEST_F(MeshFileTest, ReadsMaterials) {
   ASSERT_EQ(m.size(), 4U);
   EXPECT_EQ(m[0].name, "default");
   EXPECT_EQ(m[1].name, "glass");
-  EXPECT_EQ(m[1].color, dvec3(1, 0, 0.5));
+  EXPECT_EQ(m[1].color, linear_from_srgb({1, 0, 0.5}));
   EXPECT_EQ(m[1].opacity, 0.25);
   EXPECT_EQ(m[1].shininess, 1000.0);
   EXPECT_EQ(m[1].texture, folder_ / "pic ture.png");
-  EXPECT_EQ(m[2].color, dvec3(0.5, 0, 0));
+  EXPECT_EQ(m[2].color, linear_from_srgb({0.5, 0, 0}));
   EXPECT_EQ(m[2].specular, dvec3(0.1, 0.2, 0.3));
   EXPECT_EQ(m[2].emission, dvec3(0, 1, 0));
   EXPECT_EQ(m[2].opacity, 0.25);
@@ -223,6 +224,25 @@ TEST_F(MeshFileTest, ReadsMaterials) {
   EXPECT_THAT(file.files,
               ElementsAre(folder_ / "m.obj", folder_ / "my paint.mtl", folder_ / "pic ture.png"));
   EXPECT_THAT(notes_.lines, IsEmpty());
+}
+
+TEST_F(MeshFileTest, TakesBlendersColoursAsLinear) {
+  write_file(folder_ / "b.mtl", "# Blender 3.4.1 MTL File: 'a.blend'\nnewmtl a\nKd 0.5 0 0\n");
+  const MeshFile file = read("mtllib b.mtl\n" + std::string(square) + "usemtl a\nf 1 2 3\n");
+  EXPECT_EQ(file.mesh.materials.at(0).color, dvec3(0.5, 0, 0));
+}
+
+TEST_F(MeshFileTest, ReadsPhysicalMaterials) {
+  write_file(folder_ / "p.mtl", "newmtl a\nPr 0.25\nPm 2\nPs 0.5\nPc 0.75\nnewmtl b\nNs 10\n");
+  const MeshFile file =
+      read("mtllib p.mtl\n" + std::string(square) + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\n");
+  const auto& m = file.mesh.materials;
+  ASSERT_EQ(m.size(), 2U);
+  EXPECT_EQ(m[0].roughness, 0.25);
+  EXPECT_EQ(m[0].metallic, 1.0);
+  EXPECT_EQ(m[0].sheen, 0.5);
+  EXPECT_EQ(m[0].clearcoat, 0.75);
+  EXPECT_EQ(m[1].roughness, std::nullopt);
 }
 
 TEST_F(MeshFileTest, TakesNoFileFromOutsideTheFolder) {
@@ -263,6 +283,9 @@ TEST_F(MeshFileTest, WritesWhatItReads) {
     mesh.uv_triangles.assign(mesh.triangles.size(), uvec3(0, 1, 1));
     Material second;
     second.name = "second one";
+    second.color = {0.25, 0.5, 0.75};
+    second.roughness = 0.4;
+    second.sheen = 0.3;
     mesh.materials.resize(1);
     mesh.materials.push_back(second);
     mesh.triangle_materials.assign(mesh.triangles.size(), 0);
@@ -276,6 +299,10 @@ TEST_F(MeshFileTest, WritesWhatItReads) {
     EXPECT_EQ(back.mesh.uv_triangles, mesh.uv_triangles);
     EXPECT_EQ(back.mesh.triangle_materials, mesh.triangle_materials);
     EXPECT_EQ(back.mesh.materials.at(1).name, "second_one");
+    EXPECT_NEAR(glm::distance(back.mesh.materials.at(1).color, second.color), 0.0, 1e-9);
+    EXPECT_EQ(back.mesh.materials.at(1).roughness, second.roughness);
+    EXPECT_EQ(back.mesh.materials.at(1).sheen, second.sheen);
+    EXPECT_EQ(back.mesh.materials.at(0).roughness, std::nullopt);
     EXPECT_EQ(back.files.size(), 2U);
   }
   EXPECT_THAT(read_file(folder_ / "w.obj"), testing::StartsWith("# first line\n# second line\n"));

@@ -50,9 +50,12 @@ TEST(Shot, job_declares_everything_it_chooses) {
   EXPECT_EQ(job_text(shot),
             "#version 3.7;\n#declare Azimuth = 30;\n#declare Elevation = 15.5;\n"
             "#declare Quality = 0;\n#declare Stage = 0.2;\n#declare Only_Element = 1;\n"
+            "#declare All_Round = 0;\n"
             "#declare Template = \"clay.inc\";\n#include \"scene.pov\"\n");
   shot.only_element.reset();
   EXPECT_THAT(job_text(shot), HasSubstr("Only_Element = -1;"));
+  shot.framing = Shot::Framing::all_round;
+  EXPECT_THAT(job_text(shot), HasSubstr("All_Round = 1;"));
 }
 
 TEST(Shot, jitter_is_always_off) {
@@ -68,7 +71,8 @@ TEST(Shot, jitter_is_always_off) {
 
 TEST(Shot, is_checked_before_anything_runs) {
   const TestFolder folder;
-  for (const char* name : {"studio.inc", "clay.inc", "collage.inc", "a\"b.inc"}) {
+  for (const char* name :
+       {"studio.inc", "clay.inc", "collage.inc", "collage-floor.inc", "a\"b.inc"}) {
     write_file(folder / name, "");
   }
   const auto error = [&](const auto& change) {
@@ -82,6 +86,8 @@ TEST(Shot, is_checked_before_anything_runs) {
             place + ": there is no template 'studo'; did you mean 'studio'?");
   EXPECT_THAT(error([](Shot& shot) { shot.look = "a\"b"; }), HasSubstr("there is no template"));
   EXPECT_THAT(error([](Shot& shot) { shot.look = "collage"; }), HasSubstr("there is no template"));
+  EXPECT_THAT(error([](Shot& shot) { shot.look = "collage-floor"; }),
+              HasSubstr("there is no template"));
   EXPECT_THAT(error([](Shot& shot) { shot.width = 0; }),
               HasSubstr("0 x 960 pixels cannot be made"));
   EXPECT_THAT(error([](Shot& shot) { shot.stage = 0; }), HasSubstr("share of the instances"));

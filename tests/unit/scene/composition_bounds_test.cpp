@@ -43,6 +43,34 @@ TEST(CompositionBounds, AreThoseOfAllVertices) {
   EXPECT_DOUBLE_EQ(bounds.radius, radius);
 }
 
+TEST(CompositionBounds, OutlineNearlySpansAllVertices) {
+  Rng rng(5, 6);
+  const auto number = [&] { return 2.0 * rng.uniform() - 1.0; };
+  const Mesh mesh = testing::cube();
+  std::vector<Instance> instances;
+  for (int i = 0; i < 500; ++i) {
+    const dvec3 direction = glm::normalize(dvec3(number(), number(), number()));
+    instances.push_back({0, 0.05, {1, 0, 0, 0}, 3.0 * direction});
+  }
+  const CompositionBounds bounds = bounds_of({"x", "", {{"a", mesh, ""}}, instances, nullptr, {}});
+  EXPECT_EQ(bounds.outline.size(), 128U);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 direction = glm::normalize(dvec3(number(), number(), number()));
+    double all = 0.0;
+    for (const Instance& instance : instances) {
+      for (const dvec3& position : mesh.positions) {
+        all = std::max(all, glm::dot(instance.world_from_element(position), direction));
+      }
+    }
+    double outline = 0.0;
+    for (const dvec3& point : bounds.outline) {
+      outline = std::max(outline, glm::dot(point, direction));
+    }
+    EXPECT_LE(outline, all);
+    EXPECT_GE(outline, all - 0.02 * 6.1);
+  }
+}
+
 TEST(CompositionBounds, HoldTheTarget) {
   const Mesh mesh = testing::cube();
   const Box box{{-1, -1, -1}, {1, 1, 1}};
@@ -50,7 +78,19 @@ TEST(CompositionBounds, HoldTheTarget) {
   const CompositionBounds bounds = bounds_of({"x", "", {{"a", mesh, ""}}, instances, &mesh, box});
   EXPECT_EQ(bounds.instances.max, dvec3(0.5));
   EXPECT_DOUBLE_EQ(bounds.radius, std::sqrt(2.0));
-  EXPECT_EQ(bounds_of({"x", "", {{"a", mesh, ""}}, {}, &mesh, box}).instances.max, dvec3(1.0));
+  const auto farthest = [](const std::vector<dvec3>& outline) {
+    double distance = 0.0;
+    for (const dvec3& point : outline) {
+      distance = std::max(distance, glm::length(point));
+    }
+    return distance;
+  };
+  EXPECT_DOUBLE_EQ(farthest(bounds.outline), std::sqrt(0.75));
+  EXPECT_DOUBLE_EQ(farthest(bounds.target_outline), std::sqrt(3.0));
+  const CompositionBounds none = bounds_of({"x", "", {{"a", mesh, ""}}, {}, nullptr, box});
+  EXPECT_EQ(none.instances.max, dvec3(1.0));
+  EXPECT_DOUBLE_EQ(farthest(none.outline), std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(farthest(none.target_outline), std::sqrt(3.0));
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ TEST_F(ObjExporter, WritesMaterialsAndCopiesPictures) {
   const std::vector<Instance> instances{{}};
   const std::string text = exported({"x", "collage 0", {{"t", mesh, ""}}, instances, nullptr, {}});
   const std::string materials = read_file(folder.path() / "all_of_it.mtl");
-  EXPECT_THAT(materials, HasSubstr("newmtl element-0-material-0\nKd 0.25 0.5 1\n"));
+  EXPECT_THAT(materials,
+              HasSubstr("newmtl element-0-material-0\nKd 0.537098730483 0.735356983052 1\n"));
   EXPECT_THAT(materials, HasSubstr("map_Kd texture-0.ppm\n"));
   EXPECT_EQ(read_file(folder.path() / "texture-0.ppm"), "P3 1 1 255 1 2 3");
   EXPECT_LT(text.find("usemtl element-0-material-1\n"), text.find("usemtl element-0-material-0\n"));

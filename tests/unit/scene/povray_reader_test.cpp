@@ -21,8 +21,8 @@ class PovrayReader : public ::testing::Test {
     painted_.materials.resize(2);
     painted_.triangle_materials.assign(painted_.triangles.size(), 1);
     Composition composition;
-    composition.elements.push_back({"plain", plain_, "#ffffff"});
-    composition.elements.push_back({"painted", painted_, ""});
+    composition.elements.push_back({"plain", plain_, "#ffffff", Finish::automatic});
+    composition.elements.push_back({"painted", painted_, "", Finish::automatic});
     composition.instances = instances_;
     composition.target = &target_;
     Status status;

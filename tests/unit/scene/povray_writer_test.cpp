@@ -23,13 +23,18 @@ namespace fs = std::filesystem;
 /// What scene.pov expects of templates/collage.inc, with flat colours, seen from +z: the picture is
 /// 4 units wide and 3 high round the origin.
 constexpr const char* flat_macros = R"(
-#macro Shows_Element(K) ((Only_Element < 0) | (Only_Element = K)) #end
-#macro Material(Color, Specular, Shininess, Opacity, Refraction_Index, Emission)
-  texture { pigment { rgb <Color.x, Color.y, Color.z> } finish { ambient 0 diffuse 0 emission 1 } }
+#macro Plain_Paint(Color, Opacity) pigment { rgb Color } #end
+#macro Picture_Paint(Image_Pigment, Opacity) pigment { uv_mapping Image_Pigment } #end
+#macro As_In_File(Paint, Glow, Specular, Shininess)
+  texture { pigment { Paint } finish { ambient 0 diffuse 0 emission 1 } }
 #end
-#macro Image_Material(Image_Pigment, Specular, Shininess, Opacity, Refraction_Index, Emission)
-  texture { uv_mapping pigment { Image_Pigment } finish { ambient 0 diffuse 0 emission 1 } }
+#macro As_In_File_Physically(Paint, Glow, Roughness, Metallic, Sheen, Coat)
+  texture { pigment { rgb <Metallic, Sheen, Coat> } finish { ambient 0 diffuse 0 emission 1 } }
 #end
+#macro Felt(Paint, Glow)
+  texture { pigment { rgb <0, 0, 1> } finish { ambient 0 diffuse 0 emission 1 } }
+#end
+#macro Set_Floor(Caster) #end
 #declare Element_Interior = interior { ior 1.45 };
 #declare Place_Sculpture = transform { scale 1 }
 )";
@@ -185,8 +190,48 @@ TEST_F(PovrayWriter, DeclaresBoxes) {
                               "#declare Sculpture_Max = <3.5, 0.5, 0.5>;\n"));
   EXPECT_THAT(text, HasSubstr("#declare Target_Min = <-4, -5, -6>;\n"));
   EXPECT_THAT(text, HasSubstr("#declare Has_Target = 0;\n"));
-  EXPECT_THAT(text,
-              HasSubstr("object { Element_0 matrix <0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 3, 0, 0> }"));
+  EXPECT_THAT(text, HasSubstr("\n#if (0 < Shown[0]) object { Element_0 matrix "
+                              "<0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5, 3, 0, 0> } #end\n"));
+}
+
+TEST_F(PovrayWriter, FinishesAsTheSceneOrTheMaterialSays) {
+  Mesh mesh = square();
+  const std::vector<Instance> instances{{}};
+  written({"felt", "collage 0", {{"a", mesh, "#ff0000", Finish::felt}}, instances, nullptr, {}});
+  EXPECT_EQ(rendered().color_at(0, 0), "blue");
+  Material material;
+  material.roughness = 0.5;
+  material.sheen = 1.0;
+  mesh.materials = {material};
+  written({"physical", "collage 0", {{"a", mesh, ""}}, instances, nullptr, {}});
+  EXPECT_EQ(rendered().color_at(0, 0), "green");
+}
+
+TEST_F(PovrayWriter, SetsTheFloorUnderAllInstances) {
+  const Mesh mesh = square();
+  std::vector<Instance> instances;
+  for (int i = 0; i < 100; ++i) {
+    instances.push_back({0, 0.05, {1, 0, 0, 0}, {-1.8 + 0.4 * (i % 10), -1 + 0.2 * (i / 10), 0}});
+  }
+  written({"grid", "collage 0", {{"a", mesh, "#ff0000"}}, instances, nullptr, {}});
+  folder.write("flat.inc", std::string(flat_template) + R"(
+#macro Set_Floor(Caster)
+  #local Normal = y;
+  #local Hits = 0;
+  #local K = 0;
+  #while (K < 100)
+    #local From = <-1.8 + 0.4 * mod(K, 10), -1 + 0.2 * floor(K / 10), 5>;
+    #local Hit = trace(Caster, From, -z, Normal);
+    #local Hits = Hits + (vlength(Normal) > 0);
+    #local K = K + 1;
+  #end
+  #debug concat("hits ", str(Hits, 0, 0), "\n")
+#end
+)");
+  rendered();
+  EXPECT_THAT(log, HasSubstr("hits 100"));
+  rendered("#declare Stage = 0.25;\n");
+  EXPECT_THAT(log, HasSubstr("hits 25"));
 }
 
 TEST_F(PovrayWriter, TakesNoCodeFromNames) {
