@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "geometry/boxes.h"
 #include "geometry/topology.h"
 
 namespace collage {
