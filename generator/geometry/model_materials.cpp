@@ -23,7 +23,7 @@ Material lacquer(const dvec3& color) { return surface("lacquer", color, 0.35, 20
 Material cereal(const dvec3& color) { return surface("cereal", color, 0.06, 25.0); }
 Material carrot_skin() { return surface("carrot", {0.80, 0.205, 0.022}, 0.08, 30.0); }
 Material greens() { return surface("greens", {0.10, 0.25, 0.035}, 0.02, 10.0); }
-Material felt() { return surface("felt", {0.030, 0.028, 0.034}, 0.04, 8.0); }
+Material felt() { return surface("felt", {0.085, 0.125, 0.20}, 0.04, 8.0); }
 Material satin() { return surface("satin", {0.42, 0.018, 0.045}, 0.3, 60.0); }
 Material wood() { return surface("wood", {0.33, 0.135, 0.05}, 0.12, 60.0); }
 Material steel() { return surface("steel", {0.42, 0.42, 0.44}, 0.75, 400.0); }
