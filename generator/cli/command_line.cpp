@@ -58,6 +58,7 @@ class CommandLine {
   SceneArguments scene_;
   PictureArguments picture_;
   AuditArguments audit_;
+  GalleryArguments gallery_;
   SheetArguments sheet_;
   CompareArguments compare_;
   ExportArguments export_;
@@ -211,6 +212,16 @@ void CommandLine::add_small_commands() {
   add_common(audit);
   add_json(audit);
   audit->callback([this] { run_ = [this](Terminal& t) { return run_audit(audit_, common_, t); }; });
+
+  CLI::App* gallery =
+      add("gallery", "Make a still of every scene, and pages that show and compare them");
+  gallery->add_option("scenes", gallery_.scenes, "By default all that come along");
+  gallery->add_option("-o,--output", gallery_.folder)->capture_default_str();
+  gallery->add_option("--quality", gallery_.quality, "By default the scenes' own")
+      ->check(CLI::IsMember({"draft", "standard", "fine"}));
+  add_common(gallery);
+  gallery->callback(
+      [this] { run_ = [this](Terminal& t) { return run_gallery(gallery_, common_, t); }; });
 
   CLI::App* check = add("check", "Say what there is to know of meshes");
   check->add_option("meshes", meshes_, "OBJ files")->required();

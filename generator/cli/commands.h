@@ -41,6 +41,17 @@ struct SceneArguments {
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 
+/// Makes a still of every scene that comes along, or of those named, and pages that show and
+/// compare them.
+struct GalleryArguments {
+  std::vector<std::string> scenes;
+  std::filesystem::path folder = "out/gallery";
+  /// Empty: the scenes' own.
+  std::string quality;
+};
+int run_gallery(const GalleryArguments& arguments, const CommonArguments& common,
+                Terminal& terminal);
+
 struct AuditArguments {
   std::filesystem::path folder;
   /// Where the instances that break a promise go; empty: nowhere.
@@ -106,6 +117,8 @@ struct ModelArguments {
 };
 int run_model(const ModelArguments& arguments, Terminal& terminal);
 
+/// The folders of the scenes that come with the program, in the order of the alphabet.
+std::vector<std::filesystem::path> scene_folders();
 int run_scenes();
 int run_options(CommonArguments::Output output);
 

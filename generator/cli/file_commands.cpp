@@ -178,7 +178,7 @@ int run_model(const ModelArguments& arguments, Terminal& terminal) {
   return 0;
 }
 
-int run_scenes() {
+std::vector<fs::path> scene_folders() {
   std::vector<fs::path> folders;
   for (const auto& entry : fs::directory_iterator(data_folder(data_places()) / "scenes")) {
     if (fs::exists(entry.path() / "scene.toml")) {
@@ -186,7 +186,11 @@ int run_scenes() {
     }
   }
   std::sort(folders.begin(), folders.end());
-  for (const fs::path& folder : folders) {
+  return folders;
+}
+
+int run_scenes() {
+  for (const fs::path& folder : scene_folders()) {
     fmt::print("{}\n", folder.filename().string());
   }
   return 0;

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/data_folder.h"
 #include "cli/pack_scene.h"
 #include "cli/thesis_tables.h"
 #include "cli/version.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// The first still and nothing else.
 Scene for_gallery(const fs::path& scene_folder, const std::string& quality) {
-  Scene scene = read_scene(scene_folder / "scene.toml");
+  Scene scene = read_scene(scene_folder / "scene.toml", mesh_libraries());
   scene.render.stills.resize(1);
   scene.render.exr = false;
   scene.turntable.frames = 0;
@@ -44,8 +45,8 @@ std::optional<Report> pack_as_in_thesis(const fs::path& scene_folder, const fs::
   if (!fs::exists(file)) {
     return std::nullopt;
   }
-  const Report report =
-      pack_scene(read_scene(file), "collage pack " + file.string(), folder, status);
+  const Report report = pack_scene(read_scene(file, mesh_libraries()),
+                                   "collage pack " + file.string(), folder, status);
   require_passed(audit_and_note(folder, read_finished_folder(folder, status), status), folder);
   return report;
 }

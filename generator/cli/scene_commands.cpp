@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
+#include "cli/gallery.h"
 #include "cli/make_scene.h"
 #include "cli/offenders.h"
 #include "cli/pack_scene.h"
@@ -165,6 +166,19 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   print_report(common, folder, made.report);
   print_paths(common, made.pictures);
   print_paths(common, {folder / "report.html"});
+  return 0;
+}
+
+int run_gallery(const GalleryArguments& arguments, const CommonArguments& common,
+                Terminal& terminal) {
+  std::vector<fs::path> folders;
+  for (const std::string& name : arguments.scenes) {
+    folders.push_back(find_scene(name));
+  }
+  const Renderer renderer(common, terminal);
+  const auto pieces = make_gallery(folders.empty() ? scene_folders() : folders, arguments.quality,
+                                   arguments.folder, renderer.tools);
+  print_paths(common, write_gallery(pieces, arguments.folder));
   return 0;
 }
 
