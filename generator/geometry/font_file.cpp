@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 #include <fontconfig/fontconfig.h>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
 
 #include "base/error.h"
 
@@ -54,11 +57,19 @@ FontFile file_of(const FcPattern* pattern) {
   return {text_of(pattern, FC_FILE), index};
 }
 
+/// Does nothing but the first time.
+bool start_fontconfig() {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler disabler;  // it never frees some of its configuration
+#endif
+  return FcInit() == FcTrue;
+}
+
 /// What fontconfig knows of the fonts that are installed.
 class Installed {
  public:
   Installed() {
-    if (FcInit() == FcFalse) {  // does nothing but the first time
+    if (!start_fontconfig()) {
       throw Error("fontconfig cannot be started", "run: apt-get install fontconfig-config");
     }
   }

@@ -1,7 +1,6 @@
 #include "geometry/letters.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -39,6 +38,7 @@ std::vector<Region> parts_of(const Region& region, const std::vector<uvec3>& tri
     first += static_cast<std::uint32_t>(contour.size());
   }
   std::vector<Region> result;
+  result.reserve(parts.size());
   for (auto& [root, part] : parts) {
     result.push_back(std::move(part));
   }
@@ -81,6 +81,7 @@ class Slab {
   }
   void append_strip(const std::vector<std::uint32_t>& polygon) {
     std::vector<dvec3> corners;
+    corners.reserve(polygon.size());
     for (const std::uint32_t index : polygon) {
       corners.push_back(mesh_.positions[front_ + index]);
     }

@@ -57,6 +57,8 @@ std::optional<OptionValue> option_value(const toml::node& node) {
   return std::nullopt;
 }
 
+std::string member(const std::string& table, const std::string& name) { return table + "." + name; }
+
 int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
 
 /// Takes one parsed file over into a scene.
@@ -111,13 +113,14 @@ class Reader {
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
       const bool plain = name.find('.') == std::string::npos;
-      const Option* option = plain ? find_option(section + "." + name) : nullptr;
+      const std::string full_name = member(section, name);
+      const Option* option = plain ? find_option(full_name) : nullptr;
       if (option != nullptr) {
         read_value(*option, element, key, node);
-      } else if (plain && !names_in(section + "." + name).empty()) {
-        read_inner_table(section + "." + name, element, key, node);
+      } else if (plain && !names_in(full_name).empty()) {
+        read_inner_table(full_name, element, key, node);
       } else {
-        refuse_unknown(key, "key '" + name + "' in [" + section + "]", names_in(section));
+        refuse_key(key, section);
       }
     }
   }
@@ -143,6 +146,11 @@ class Reader {
                   "use " + accepted_values(option));
     }
     option.store(scene_, element, checked(option, element, *value, source));
+  }
+
+  [[noreturn]] void refuse_key(const toml::key& key, const std::string& section) const {
+    refuse_unknown(key, "key '" + std::string(key.str()) + "' in [" + section + "]",
+                   names_in(section));
   }
 
   [[noreturn]] void refuse_unknown(const toml::key& key, const std::string& what,

@@ -1,5 +1,8 @@
 #include "geometry/font_file.h"
 
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "base/error.h"
@@ -42,8 +45,9 @@ TEST(FontFile, NothingStandsInForAFont) {
 }
 
 TEST(FontFile, PatternsThatNameNoneAreRefused) {
-  for (const std::string font :
-       {"", ":bold", ":::", "a\nb", std::string(300, 'x').c_str(), "a:slant=(("}) {
+  const std::vector<std::string> fonts{"",          ":bold", ":::", "a\nb", std::string(300, 'x'),
+                                       "a:slant=(("};
+  for (const std::string& font : fonts) {
     EXPECT_NE(error(font), "") << font;
   }
   EXPECT_THAT(error(""), ::testing::StartsWith("'' does not name a font; write a family"));
