@@ -44,25 +44,41 @@ struct Point {
   bool filled;
 };
 
+double box_volume(const Box& box) {
+  const dvec3 extent = box.extent();
+  return extent.x * extent.y * extent.z;
+}
+
+/// Numbers of nearly cubic cells along the sides of a box that make up about `count`, or
+/// `most_cells`, but at least one along each.
+dvec3 cells_along(const dvec3& extent, double count) {
+  count = std::clamp(count, 1.0, most_cells);
+  double side = std::cbrt(extent.x * extent.y * extent.z / count);
+  dvec3 cells;
+  do {
+    cells = glm::max(dvec3(1.0), glm::round(extent / side));
+    side *= 1.01;
+  } while (cells.x * cells.y * cells.z > 1.02 * count);
+  return cells;
+}
+
 /// A grid over the target's box with one point at random in each cell.
 class Grid {
  public:
-  Grid(const TargetShape& target, std::size_t points) : target_(target) {
-    const dvec3 extent = target.box.extent();
-    const double volume = target.solid.volume();
-    const double side = std::cbrt(std::max(volume / static_cast<double>(points),
-                                           extent.x * extent.y * extent.z / most_cells));
-    size_ = glm::max(glm::ivec3(1), glm::ivec3(glm::ceil(extent / side)));
-    cell_ = extent / dvec3(size_);
-  }
+  /// About `points` of them are in the target.
+  Grid(const TargetShape& target, std::size_t points)
+      : target_(target),
+        size_(cells_along(target.box.extent(), static_cast<double>(points) *
+                                                   box_volume(target.box) / target.solid.volume())),
+        cell_(target.box.extent() / size_) {}
 
-  [[nodiscard]] std::size_t rows() const { return static_cast<std::size_t>(size_.y) * size_.z; }
+  [[nodiscard]] std::size_t rows() const { return static_cast<std::size_t>(size_.y * size_.z); }
 
   /// The points of a row that are inside the target.
   [[nodiscard]] std::vector<Point> points(std::size_t row, const InstanceIndex& sculpture) const {
     const Solid& solid = target_.solid;
     std::vector<Point> found;
-    for (int x = 0; x < size_.x; ++x) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(size_.x); ++x) {
       const dvec3 point = point_in_cell(x, row);
       const dvec3 unit = solid.unit_from_mesh(point);
       if (solid.inside(unit)) {
@@ -74,9 +90,9 @@ class Grid {
   }
 
  private:
-  [[nodiscard]] dvec3 point_in_cell(int x, std::size_t row) const {
+  [[nodiscard]] dvec3 point_in_cell(std::size_t x, std::size_t row) const {
     const auto rows_of_layer = static_cast<std::size_t>(size_.y);
-    Rng rng(0, row * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x));
+    Rng rng(0, row * static_cast<std::size_t>(size_.x) + x);
     dvec3 place(x, row % rows_of_layer, row / rows_of_layer);
     for (int axis = 0; axis < 3; ++axis) {
       place[axis] += rng.uniform();
@@ -85,7 +101,8 @@ class Grid {
   }
 
   const TargetShape& target_;
-  glm::ivec3 size_;
+  /// Cells along each axis, whole numbers.
+  dvec3 size_;
   dvec3 cell_;
 };
 
@@ -126,11 +143,11 @@ std::optional<double> Fill::Sample::deviation() const {
 
 std::optional<Fill> fill(const TargetShape& target, const InstanceIndex& sculpture,
                          const FillOptions& options, Status& status) {
-  if (!(target.solid.volume() > 0.0)) {
+  if (!(target.solid.volume() > 0.0 && box_volume(target.box) > 0.0)) {
     return std::nullopt;
   }
   const std::vector<Point> points = points_inside(target, sculpture, options.points, status);
-  double greatest_depth = 0.0;
+  double greatest_depth = std::numeric_limits<double>::min();
   for (const Point& point : points) {
     greatest_depth = std::max(greatest_depth, point.depth);
   }

@@ -96,6 +96,16 @@ TEST(Fill, OfATargetThatIsThinForItsBox) {
   EXPECT_NEAR(result.greatest_depth, 0.0025, 0.0003);
 }
 
+TEST(Fill, TakesNoMorePointsThanAskedForOfPlatesAndNeedles) {
+  for (const dvec3& size : {dvec3(1, 1e-7, 1), dvec3(1e-6, 1e-6, 1), dvec3(1, 0.01, 0.5)}) {
+    const Mesh target = test::box_mesh(dvec3(0), size);
+    const Mesh half = test::box_mesh(dvec3(0), size * dvec3(1, 1, 0.5));
+    const Fill result = fill_of(target, half, {Instance{}}, 5000);
+    EXPECT_NEAR(static_cast<double>(result.by_points.points), 5000.0, 250.0);
+    EXPECT_NEAR(*result.by_points.share(), 0.5, 0.02);
+  }
+}
+
 TEST(Fill, OfAnEmptySculptureIsNoneAndOfATargetWithoutVolumeNothing) {
   const Mesh cube = test::box_mesh(dvec3(0), dvec3(2));
   EXPECT_EQ(fill_of(cube, cube, {}).by_volume, 0.0);
