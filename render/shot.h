@@ -21,8 +21,8 @@ View parse_view(const std::string& text);
 /// The view's name as part of a file name: "front", "30_15".
 std::string file_stem(const View& view);
 
-/// What the templates make of it: more lamps, more of the reflections. Ours give equal pixels on any
-/// number of threads; a template with radiosity would not.
+/// What the templates make of it: more lamps, more of the reflections. Ours give equal pixels on
+/// any number of threads; a template with radiosity would not.
 enum class Quality { draft, standard, fine };
 /// "draft", "standard", "fine". Throws Error for anything else.
 Quality parse_quality(const std::string& text);
