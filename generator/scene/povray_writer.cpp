@@ -16,7 +16,7 @@
 namespace collage {
 namespace {
 
-/// The macros of finishes.inc, in the order of Finish.
+/// The macros of collage-finishes.inc, in the order of Finish.
 constexpr std::array finish_macros{"As_In_File", "Ceramic", "Plastic", "Felt",  "Lacquer",
                                    "Matt",       "Satin",   "Metal",   "Glass", "Milk"};
 
