@@ -47,6 +47,7 @@ class PageWriter {
                      elements(),
                      stages(),
                      again()};
+    page.credits = credits();
     page.footer = fmt::format("collage {}, seed {}", sculpture_.version, report_.seed);
     return page;
   }
@@ -226,6 +227,21 @@ class PageWriter {
     }
     section.tables = {inputs};
     return section;
+  }
+
+  /// Of each work once.
+  [[nodiscard]] std::vector<PageCredit> credits() const {
+    std::vector<PageCredit> credits;
+    const auto add = [&](const Sculpture::Input& input) {
+      if (input.credit &&
+          std::ranges::find(credits, input.credit->title, &PageCredit::title) == credits.end()) {
+        const Credit& credit = *input.credit;
+        credits.push_back({credit.title, credit.author, credit.licence, credit.link});
+      }
+    };
+    add(sculpture_.target);
+    std::ranges::for_each(sculpture_.elements, add);
+    return credits;
   }
 
   const fs::path& folder_;
