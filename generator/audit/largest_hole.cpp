@@ -102,7 +102,8 @@ class Search {
 
   /// Compass search: steps along the axes while they lead up, then half as long.
   void climb() {
-    for (double step = 0.5 * best_.radius; step > 1e-3 * tolerance * best_.radius; step *= 0.5) {
+    double step = 0.5 * best_.radius;
+    while (step > 1e-3 * tolerance * best_.radius) {
       bool moved = true;
       while (moved) {
         moved = false;
@@ -117,6 +118,7 @@ class Search {
           }
         }
       }
+      step *= 0.5;
     }
   }
 

@@ -230,14 +230,15 @@ std::vector<GalleryPiece> make_gallery(const std::vector<fs::path>& scene_folder
 std::vector<fs::path> write_gallery(const std::vector<GalleryPiece>& pieces,
                                     const fs::path& folder) {
   std::vector<SheetPicture> pictures;
+  pictures.reserve(pieces.size());
   for (const GalleryPiece& piece : pieces) {
     pictures.push_back({piece.made.pictures.front(), piece.scene});
   }
   SheetLayout layout;
   layout.columns = 4;
   layout.cell_size = 480;
-  const std::vector<fs::path> paths{folder / "gallery.html", folder / "gallery.png",
-                                    folder / "gallery.md"};
+  std::vector<fs::path> paths{folder / "gallery.html", folder / "gallery.png",
+                              folder / "gallery.md"};
   write_file(paths[0], report_html(gallery_page(pieces)));
   write_contact_sheet(pictures, layout, paths[1]);
   write_file(paths[2], gallery_markdown(pieces));
