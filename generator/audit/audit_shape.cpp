@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include "geometry/boxes.h"
 #include "geometry/topology.h"
@@ -12,48 +11,21 @@
 namespace collage {
 namespace {
 
-/// Sets of vertices, by union-find with halving of paths.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) {
-    for (std::size_t i = 0; i < size; ++i) {
-      parent_[i] = static_cast<std::uint32_t>(i);
-    }
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) {
-      i = parent_[i] = parent_[parent_[i]];
-    }
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-struct LessPosition {
-  bool operator()(const dvec3& a, const dvec3& b) const {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  }
-};
-
 /// The vertices of each set of triangles that hang together by vertices at the same place.
 std::vector<std::vector<dvec3>> parts_of(const Mesh& mesh) {
-  Sets sets(mesh.positions.size());
-  std::map<dvec3, std::uint32_t, LessPosition> first_at;
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    sets.join(v, first_at.emplace(mesh.positions[v], v).first->second);
-  }
-  for (const uvec3& t : mesh.triangles) {
-    sets.join(t.x, t.y);
-    sets.join(t.y, t.z);
+  const Topology topology(mesh);
+  DisjointSets sets(mesh.positions.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uvec3 corners = welded_triangle(mesh, topology, t);
+    sets.unite(corners.x, corners.y);
+    sets.unite(corners.y, corners.z);
   }
   std::vector<std::vector<dvec3>> parts;
   std::map<std::uint32_t, std::size_t> part_of_root;
   std::vector<char> seen(mesh.positions.size(), 0);
   for (const uvec3& t : mesh.triangles) {
-    const std::size_t part = part_of_root.emplace(sets.root(t.x), parts.size()).first->second;
+    const std::uint32_t root = sets.find(topology.welded()[t.x]);
+    const std::size_t part = part_of_root.emplace(root, parts.size()).first->second;
     parts.resize(std::max(parts.size(), part + 1));
     for (int k = 0; k < 3; ++k) {
       if (seen[t[k]] == 0) {

@@ -122,18 +122,22 @@ class Search {
     }
   }
 
-  /// Whether a cube may hold a clearance above the limit.
-  [[nodiscard]] bool promising(const dvec3& point, Clearance& c, double half_diagonal) const {
+  enum class Fate : std::uint8_t { dropped, cut, undecided };
+
+  /// A cube is dropped where it holds no clearance above the limit. One that is smaller than the
+  /// error of its clearance, as an enormous instance brings, would not be decided by cutting.
+  [[nodiscard]] Fate fate(const dvec3& point, Clearance& c, double half_diagonal) const {
     if (c.distance + half_diagonal <= limit()) {
-      return false;
+      return Fate::dropped;
     }
     if (c.state == State::unknown) {
       c.state = state(point);
     }
-    if (c.state == State::free) {
-      return true;
+    if (c.state == State::taken &&
+        (closed_ ? half_diagonal - c.at_least() : 2.0 * half_diagonal) <= limit()) {
+      return Fate::dropped;
     }
-    return closed_ ? half_diagonal - c.at_least() > limit() : half_diagonal > 0.5 * limit();
+    return half_diagonal > c.error ? Fate::cut : Fate::undecided;
   }
 
   /// `begin` and `share`: which part of the whole work this is.
@@ -149,11 +153,12 @@ class Search {
     improve(cubes, clearances);
 
     const double half_diagonal = 0.5 * std::sqrt(3.0) * side;
-    std::vector<char> keep(cubes.size());
+    std::vector<Fate> fates(cubes.size());
     tbb::parallel_for(std::size_t{0}, cubes.size(), [&](std::size_t i) {
-      keep[i] = promising(cubes[i], clearances[i], half_diagonal) ? 1 : 0;
+      fates[i] = fate(cubes[i], clearances[i], half_diagonal);
     });
-    const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+    const auto kept = static_cast<std::size_t>(std::ranges::count(fates, Fate::cut));
+    best_.proven &= std::ranges::find(fates, Fate::undecided) == fates.end();
     std::vector<dvec3> parts;
     parts.reserve(std::min(batch, 8 * kept));
     std::size_t done = 0;
@@ -166,7 +171,7 @@ class Search {
     };
     std::size_t taken = 0;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
-      if (keep[i] == 0) {
+      if (fates[i] != Fate::cut) {
         continue;
       }
       ++taken;

@@ -15,8 +15,9 @@ struct LargestHole {
   /// No such ball anywhere is larger. At most 1 % above `radius`, and never below the size from
   /// which on holes are looked for.
   double bound = 0.0;
-  /// False where a surface is open: where such a solid ends across a gap is decided by the winding
-  /// number at points half a hole apart, and not proven in between.
+  /// False where distances are too coarse, an instance being thousands of times as large as the
+  /// target, and where a surface is open: where such a solid ends across a gap is decided by the
+  /// winding number at points half a hole apart, and not proven in between.
   bool proven = true;
 };
 

@@ -35,7 +35,7 @@ std::string number(double value) { return fmt::format("{:.3f}", value); }
 
 std::string hole_text(const LargestHole& hole, double side) {
   return fmt::format("{:.3f} % to {:.3f} %{}", 100.0 * hole.radius / side,
-                     100.0 * hole.bound / side, hole.proven ? "" : ", not proven: open meshes");
+                     100.0 * hole.bound / side, hole.proven ? "" : ", not proven");
 }
 
 const char* word(FolderAudit::StillFits fits) {

@@ -1,6 +1,7 @@
 #include "geometry/ray_scene.h"
 
 #include <limits>
+#include <optional>
 
 #include "geometry/bounding_sphere.h"
 #include "geometry/boxes.h"
@@ -15,13 +16,19 @@ namespace {
 /// starts at most `start_distance` away to float can do.
 constexpr float padding = 4e-6F;
 constexpr double start_distance = 2.0;
+/// A ray that still starts farther away than this passes the unit ball, or has left it behind.
+constexpr double farthest_start = 3.0;
 
 /// A ray in the unit frame of what it is tested against, started afresh where it comes near, as
-/// coordinates of float are the coarser the farther away it starts.
-RTCRay unit_ray(dvec3 origin, const dvec3& direction) {
+/// coordinates of float are the coarser the farther away it starts. Nothing where it cannot meet
+/// anything there, or comes from so far that double does not tell.
+std::optional<RTCRay> unit_ray(dvec3 origin, const dvec3& direction) {
   const double ahead = -glm::dot(origin, direction) - start_distance;
   if (ahead > 0.0) {
     origin += ahead * direction;
+  }
+  if (!(glm::length(origin) <= farthest_start)) {
+    return std::nullopt;
   }
   RTCRay ray{};
   ray.org_x = static_cast<float>(origin.x);
@@ -102,8 +109,9 @@ struct RayScene::Hierarchy {
     const Instance& instance = instances[index];
     const RayShape& shape = *shapes[instance.element];
     const dvec3 start = instance.element_from_world(ball.radius * origin + ball.center);
-    return shape.scene.occluded(unit_ray((start - shape.sphere.center) / shape.sphere.radius,
-                                         glm::conjugate(instance.rotation) * direction));
+    const auto ray = unit_ray((start - shape.sphere.center) / shape.sphere.radius,
+                              glm::conjugate(instance.rotation) * direction);
+    return ray && shape.scene.occluded(*ray);
   }
 };
 
@@ -116,7 +124,8 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 bool RayScene::occluded(const dvec3& origin, const dvec3& direction) const {
   const Hierarchy& h = *hierarchy_;
-  return h.scene.occluded(unit_ray((origin - h.ball.center) / h.ball.radius, direction));
+  const auto ray = unit_ray((origin - h.ball.center) / h.ball.radius, direction);
+  return ray && h.scene.occluded(*ray);
 }
 
 }  // namespace collage

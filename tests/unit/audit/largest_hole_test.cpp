@@ -102,6 +102,15 @@ TEST(LargestHole, IsAboveAllThatASampleFinds) {
   EXPECT_LE(hole.bound, 1.011 * hole.radius);
 }
 
+TEST(LargestHole, ComesToAnEndBesideAnEnormousInstance) {
+  const Scene scene{test::box_mesh(dvec3(0), dvec3(1)),
+                    test::box_mesh(dvec3(-1), dvec3(1)),
+                    {at(dvec3(0.5 - 1e7, 0, 0), 1e7)}};
+  const LargestHole hole = scene.hole();
+  EXPECT_LE(hole.radius, 0.25);
+  EXPECT_FALSE(hole.proven);
+}
+
 TEST(LargestHole, OfAnOpenMeshIsSaidToBeUnproven) {
   const Scene scene{test::open_box_mesh(dvec3(0), dvec3(1, 1, 1)),
                     test::box_mesh(dvec3(-1), dvec3(1)),

@@ -115,5 +115,15 @@ TEST(RayScene, OfNothingOccludesNothing) {
   EXPECT_FALSE(RayScene({}, {}, {}).occluded({0, 0, 5}, {0, 0, -1}));
 }
 
+TEST(RayScene, LooksFartherThanFloatReaches) {
+  Instance near;
+  Instance far;
+  far.translation = dvec3(1e30, 0.0, 0.0);
+  const Rays rays(test::box_mesh(dvec3(-1), dvec3(1)), {near, far});
+  EXPECT_FALSE(rays.occluded(dvec3(5e29, 1e29, 0.0), dvec3(0, 0, 1)));
+  EXPECT_TRUE(rays.occluded(dvec3(0, 1e300, 0), dvec3(0, -1, 0)));
+  EXPECT_FALSE(rays.occluded(dvec3(0, 1e300, 0), dvec3(0, 0, -1)));
+}
+
 }  // namespace
 }  // namespace collage
