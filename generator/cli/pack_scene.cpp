@@ -53,6 +53,7 @@ struct Workshop {
   std::vector<MeshFile> element_files;
   std::vector<std::unique_ptr<Element>> elements;
   std::vector<Ingredient> ingredients;
+  std::vector<MeshFile> props;
 
  private:
   void read_target(const Scene::Target& wanted, Status& status);
@@ -80,6 +81,9 @@ Workshop::Workshop(const Scene& scene, Status& status) {
     element_files.push_back(shape(wanted.mesh, wanted.text, status));
   }
   read_target(scene.target, status);
+  for (const std::string& prop : scene.render.props) {
+    props.push_back(read_mesh(prop, status));
+  }
   elements.resize(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t e) {
     elements[e] = std::make_unique<Element>(element_files[e].mesh, scene.packing.distance);
@@ -132,6 +136,10 @@ Sculpture describe(const Scene& scene, const std::string& command, const Worksho
     element.size = workshop.elements[e]->size();
     sculpture.elements.push_back(element);
   }
+  for (const MeshFile& prop : workshop.props) {
+    const std::string role = "prop-" + std::to_string(sculpture.props.size());
+    sculpture.props.push_back(copy_inputs(prop.files, folder, role, status));
+  }
   return sculpture;
 }
 
@@ -144,6 +152,9 @@ Composition compose(const Scene& scene, const Workshop& workshop,
     const Scene::Element& options = scene.elements[e];
     composition.elements.push_back(
         {options.name(), workshop.element_files[e].mesh, options.color, options.finish});
+  }
+  for (const MeshFile& prop : workshop.props) {
+    composition.props.push_back({prop.files.front().stem().string(), prop.mesh});
   }
   composition.instances = instances;
   composition.target = scene.target.sdf.empty() ? &workshop.target_mesh : nullptr;

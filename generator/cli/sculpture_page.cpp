@@ -225,6 +225,9 @@ class PageWriter {
     for (const Sculpture::Element& element : sculpture_.elements) {
       inputs.rows.push_back({{element.path.generic_string(), element.sha256}, ""});
     }
+    for (const Sculpture::Input& prop : sculpture_.props) {
+      inputs.rows.push_back({{prop.path.generic_string(), prop.sha256}, ""});
+    }
     section.tables = {inputs};
     return section;
   }
@@ -241,6 +244,7 @@ class PageWriter {
     };
     add(sculpture_.target);
     std::ranges::for_each(sculpture_.elements, add);
+    std::ranges::for_each(sculpture_.props, add);
     return credits;
   }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/gtc/constants.hpp>
+
 #include "geometry/mesh_parts.h"
 #include "geometry/model_materials.h"
 #include "geometry/models.h"
@@ -12,6 +14,9 @@ namespace collage {
 namespace {
 
 constexpr int segments = 48;
+constexpr int bowl_segments = 90;
+/// Turned a little, so that no view from a whole number of degrees looks along edges.
+constexpr double bowl_phase = 0.4 * glm::two_pi<double>() / bowl_segments;
 constexpr double rim_height = 6.2;
 
 /// The wall inside, from the middle of the bottom to the rim, in centimetres.
@@ -36,12 +41,12 @@ Mesh make_bowl() {
   profile.emplace_back(7.82, rim_height);
   profile.insert(profile.end(), inside.rbegin(), inside.rend());
   Mesh clay;
-  append_rings(clay, lathe(profile, segments, 0.0));
+  append_rings(clay, lathe(profile, bowl_segments, bowl_phase));
   Mesh mesh;
   append_part(mesh, clay, glaze("glaze", {0.86, 0.83, 0.76}));
   // From above the foot to the rim.
-  paint(mesh, glaze("blue-glaze", {0.035, 0.12, 0.24}), band_start(4, segments),
-        band_start(outside.size() - 1, segments));
+  paint(mesh, glaze("blue-glaze", {0.035, 0.12, 0.24}), band_start(4, bowl_segments),
+        band_start(outside.size() - 1, bowl_segments));
   set_smooth_normals(mesh, 40.0);
   return mesh;
 }
@@ -66,6 +71,21 @@ Mesh make_bowl_inside() {
   Mesh space;
   append_rings(space, lathe(profile, segments, 0.0));
   return make_model(space, milk(), 40.0);
+}
+
+Mesh make_bowl_milk() {
+  constexpr double overlap = 0.05;  // with the wall, so that no gap shows
+  std::vector<ProfilePoint> profile;
+  for (const ProfilePoint& point : inside) {
+    profile.emplace_back(point.x > 0.0 ? point.x + overlap : 0.0, point.y - overlap);
+  }
+  // Between the last two points of the wall.
+  constexpr double level = 0.6;
+  profile.back() = glm::mix(profile[profile.size() - 2], profile.back(), level);
+  profile.emplace_back(0.0, profile.back().y);
+  Mesh body;
+  append_rings(body, lathe(profile, bowl_segments, bowl_phase));
+  return make_model(body, milk(), 40.0);
 }
 
 }  // namespace collage

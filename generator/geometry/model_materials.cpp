@@ -27,6 +27,10 @@ Material felt() { return surface("felt", {0.085, 0.125, 0.20}, 0.04, 8.0); }
 Material satin() { return surface("satin", {0.42, 0.018, 0.045}, 0.3, 60.0); }
 Material wood() { return surface("wood", {0.33, 0.135, 0.05}, 0.12, 60.0); }
 Material steel() { return surface("steel", {0.42, 0.42, 0.44}, 0.75, 400.0); }
-Material milk() { return surface("milk", {0.84, 0.82, 0.75}, 0.15, 80.0); }
+Material milk() {
+  Material material = surface("milk", {0.84, 0.82, 0.75}, 0.15, 80.0);
+  material.emission = dvec3(0.15);  // light that goes in and comes out elsewhere
+  return material;
+}
 
 }  // namespace collage

@@ -17,6 +17,7 @@ std::span<const StarterModel> starter_models() {
       StarterModel{"bowl", "a cereal bowl, 16 cm wide", make_bowl},
       StarterModel{"bowl-inside", "what the bowl holds when heaped, to be filled",
                    make_bowl_inside},
+      StarterModel{"bowl-milk", "the milk in the bowl", make_bowl_milk},
       StarterModel{"spoon", "a spoon to go with the bowl", make_spoon},
       StarterModel{"cereal-ring", "a small thick ring of oats", make_cereal_ring},
       StarterModel{"cereal-loop", "a wide, wavy fruit loop", make_cereal_loop},

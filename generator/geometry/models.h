@@ -42,6 +42,8 @@ Mesh make_bowl();
 /// What the bowl holds when heaped: its hollow, a small gap within the wall, with a low dome that
 /// rises over the rim.
 Mesh make_bowl_inside();
+/// Milk that stands in the bowl, half a centimetre below the rim.
+Mesh make_bowl_milk();
 /// A spoon that points to +x, of steel.
 Mesh make_spoon();
 /// A small thick ring of oats.

@@ -30,6 +30,8 @@ struct Composition {
   /// nullptr where the target is a grid of distances.
   const Mesh* target = nullptr;
   Box target_box;
+  /// Shown as they stand, whatever stage or kind of element is.
+  std::vector<Element> props = {};
 };
 
 }  // namespace collage

@@ -32,11 +32,14 @@ void for_each_vertex(const Mesh& mesh, Visit visit) {
   }
 }
 
-/// Calls `visit` with the vertices of each instance that has a corner for which `stands_out`. As
-/// that and `visit` measure something convex, the others' vertices cannot matter.
+/// Calls `visit` with the vertices of the props, and of each instance that has a corner for which
+/// `stands_out`. As that and `visit` measure something convex, the others' vertices cannot matter.
 template <class StandsOut, class Visit>
 void for_each_outstanding_vertex(const Composition& composition, StandsOut stands_out,
                                  Visit visit) {
+  for (const Composition::Element& prop : composition.props) {
+    for_each_vertex(prop.mesh, visit);
+  }
   std::vector<Corners> corners;
   for (const Composition::Element& element : composition.elements) {
     corners.push_back(corners_of(bounding_box(element.mesh)));
@@ -52,7 +55,11 @@ void for_each_outstanding_vertex(const Composition& composition, StandsOut stand
   }
 }
 
-Box box_of_instances(const Composition& composition) {
+bool shows_nothing(const Composition& composition) {
+  return composition.instances.empty() && composition.props.empty();
+}
+
+Box box_of_shown(const Composition& composition) {
   Box box;
   for_each_outstanding_vertex(
       composition,
@@ -60,7 +67,7 @@ Box box_of_instances(const Composition& composition) {
         return glm::any(glm::lessThan(p, box.min)) || glm::any(glm::greaterThan(p, box.max));
       },
       [&](const dvec3& p) { box.include(p); });
-  return composition.instances.empty() ? composition.target_box : box;
+  return shows_nothing(composition) ? composition.target_box : box;
 }
 
 double radius_round(const dvec3& axis, const Composition& composition) {
@@ -111,8 +118,8 @@ std::vector<dvec3> outline_of(VisitPoints visit_points) {
 
 CompositionBounds bounds_of(const Composition& composition) {
   CompositionBounds bounds;
-  bounds.instances = box_of_instances(composition);
-  Box both = bounds.instances;
+  bounds.shown = box_of_shown(composition);
+  Box both = bounds.shown;
   if (composition.target != nullptr) {
     both.include(composition.target_box.min);
     both.include(composition.target_box.max);
@@ -121,7 +128,7 @@ CompositionBounds bounds_of(const Composition& composition) {
   const Corners corners = corners_of(composition.target_box);
   bounds.outline = {corners.begin(), corners.end()};
   bounds.target_outline = bounds.outline;
-  if (!composition.instances.empty()) {
+  if (!shows_nothing(composition)) {
     bounds.outline = outline_of([&](auto stands_out, auto visit) {
       for_each_outstanding_vertex(composition, stands_out, visit);
     });

@@ -8,12 +8,12 @@ namespace collage {
 
 /// What the camera has to frame, in the units of the meshes.
 struct CompositionBounds {
-  /// Box of all instances' vertices; the target's box where there is no instance.
-  Box instances;
-  /// Distance of the farthest vertex, of the instances and of the target's mesh, from the upright
+  /// Box of all instances' and props' vertices; the target's box where there are none.
+  Box shown;
+  /// Distance of the farthest vertex, of what is shown and of the target's mesh, from the upright
   /// axis through the middle of the box of both.
   double radius = 0.0;
-  /// The farthest of the instances' vertices in 128 directions all round, and of the target's. What
+  /// The farthest of the shown vertices in 128 directions all round, and of the target's. What
   /// they span falls short of the rest by 2 % of its size at most. Where there are no vertices, the
   /// corners of the target's box.
   std::vector<dvec3> outline;

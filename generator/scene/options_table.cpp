@@ -151,6 +151,11 @@ void append_render_options(std::vector<Option>& table) {
                           .words = qualities}));
   table.push_back(option("render.exr", [](auto& s) -> auto& { return s.render.exr; },
                          {.help = "also write stills as OpenEXR with linear light"}));
+  table.push_back(option("render.props", [](auto& s) -> auto& { return s.render.props; },
+                         {.unit = mesh_places,
+                          .help = "OBJ files shown as they stand beside what is packed, such as a "
+                                  "bowl; nothing keeps clear of them",
+                          .form = TextForm::path}));
 }
 
 void append_turntable_options(std::vector<Option>& table) {

@@ -28,6 +28,7 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string element_name(std::size_t k) { return "Element_" + std::to_string(k); }
+std::string prop_name(std::size_t k) { return "Prop_" + std::to_string(k); }
 
 std::string declared(const std::string& name, const std::string& value) {
   return "#declare " + name + " = " + value + ";\n";
@@ -80,11 +81,12 @@ std::string outline_text(const std::string& name, const std::vector<dvec3>& outl
 
 std::string bounds(const Composition& composition) {
   const CompositionBounds bounds = bounds_of(composition);
-  return "// Boxes of all instances and of the target, in the units of the meshes; y is up. The\n"
+  return "// Boxes of all that is shown and of the target, in the units of the meshes; y is up. "
+         "The\n"
          "// radius is that of the upright cylinder round the middle of both that holds them, the\n"
          "// outlines are their outermost points.\n" +
-         declared("Sculpture_Min", pov_vector(bounds.instances.min)) +
-         declared("Sculpture_Max", pov_vector(bounds.instances.max)) +
+         declared("Sculpture_Min", pov_vector(bounds.shown.min)) +
+         declared("Sculpture_Max", pov_vector(bounds.shown.max)) +
          declared("Sculpture_Radius", number_text(bounds.radius)) +
          declared("Target_Min", pov_vector(composition.target_box.min)) +
          declared("Target_Max", pov_vector(composition.target_box.max)) +
@@ -93,12 +95,11 @@ std::string bounds(const Composition& composition) {
          declared("Has_Target", composition.target != nullptr ? "1" : "0") + "\n";
 }
 
-bool is_clear(const Composition& composition) {
+bool is_clear(const std::vector<Composition::Element>& elements) {
   bool clear = false;
-  for (std::size_t k = 0; k < composition.elements.size(); ++k) {
-    const Composition::Element& element = composition.elements[k];
-    const std::vector<Material> materials = look_of(element, k).materials;
-    clear |= element.finish == Finish::glass ||
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const std::vector<Material> materials = look_of(elements[k], k).materials;
+    clear |= elements[k].finish == Finish::glass ||
              std::ranges::any_of(materials, [](const Material& m) { return m.opacity < 1.0; });
   }
   return clear;
@@ -109,7 +110,8 @@ std::string shown(const Composition& composition) {
   const std::string elements = std::to_string(composition.elements.size());
   return declared("Element_Count", elements) +
          declared("Instance_Count", std::to_string(composition.instances.size())) +
-         declared("Has_Glass", is_clear(composition) ? "1" : "0") +
+         declared("Has_Glass",
+                  is_clear(composition.elements) || is_clear(composition.props) ? "1" : "0") +
          "// Of element K those instances are shown whose number in the order of placement is "
          "less\n"
          "// than Shown[K].\n"
@@ -135,26 +137,28 @@ class Writer {
         "#include \"collage.inc\"  // framing, camera, light, floor, finishes\n"
         "#include Template       // how they are used\n\n");
     for (std::size_t k = 0; k < composition_.elements.size(); ++k) {
-      append_element(k);
+      append_element(element_name(k), composition_.elements[k], k);
+    }
+    for (std::size_t k = 0; k < composition_.props.size(); ++k) {
+      append_element(prop_name(k), composition_.props[k], k);
     }
     file_.append("#declare Sculpture =\n");
     append_neighbourhood(neighbourhoods(composition_), outermost);
-    file_.append("object { Sculpture }\nSet_Floor(Sculpture)\n");
+    append_all_shown();
     file_.commit();
   }
 
  private:
-  void append_element(std::size_t k) {
-    const Composition::Element& element = composition_.elements[k];
+  void append_element(const std::string& name, const Composition::Element& element, std::size_t k) {
     const ElementLook look = look_of(element, k);
     file_.append("// " + plain_name(element.name) + ", " +
                  counted(element.mesh.triangles.size(), "triangle") + "\n");
     MeshTextures textures{{}, look.assignment};
     for (std::size_t m = 0; m < look.materials.size(); ++m) {
-      textures.textures.push_back(element_name(k) + "_Material_" + std::to_string(m));
+      textures.textures.push_back(name + "_Material_" + std::to_string(m));
       append_material(textures.textures.back(), look.materials[m], element);
     }
-    append_mesh2(file_, element_name(k), element.mesh, textures);
+    append_mesh2(file_, name, element.mesh, textures);
     file_.append("\n");
   }
 
@@ -212,6 +216,19 @@ class Writer {
                           m[2].x, m[2].y, m[2].z, t.x, t.y, t.z});
     line_ += " } #end\n";
     file_.append(line_);
+  }
+
+  void append_all_shown() {
+    if (composition_.props.empty()) {
+      file_.append("object { Sculpture }\nSet_Floor(Sculpture)\n");
+      return;
+    }
+    file_.append("#declare All_Shown = union {\n  object { Sculpture }\n");
+    for (std::size_t k = 0; k < composition_.props.size(); ++k) {
+      file_.append("  object { " + prop_name(k) +
+                   " interior { Element_Interior } transform { Place_Sculpture } }\n");
+    }
+    file_.append("}\nobject { All_Shown }\nSet_Floor(All_Shown)\n");
   }
 
   /// Before the templates, which may show it and let it cast a shadow.

@@ -47,6 +47,8 @@ struct Scene {
     std::vector<std::string> stills{"front", "three-quarter"};
     std::string quality = "fine";
     bool exr = false;
+    /// Paths of mesh files.
+    std::vector<std::string> props;
   };
   struct Turntable {
     /// 0: no turntable.

@@ -38,6 +38,8 @@ struct Sculpture {
   Input target;
   /// As many as options.elements, in the same order.
   std::vector<Element> elements;
+  /// As many as options.render.props, in the same order.
+  std::vector<Input> props;
   /// In the order of placement.
   std::vector<Instance> instances;
 };

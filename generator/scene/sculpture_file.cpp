@@ -49,6 +49,10 @@ Scene with_copies(const Sculpture& sculpture) {
     element.mesh = element.text.string.empty() ? sculpture.elements.at(k).path : fs::path();
     forget_folder(element.text);
   }
+  scene.render.props.clear();
+  for (const Sculpture::Input& prop : sculpture.props) {
+    scene.render.props.push_back(prop.path.generic_string());
+  }
   scene.render.look = std::filesystem::path(scene.render.look).filename().string();
   return scene;
 }
@@ -67,6 +71,15 @@ std::string inputs_text(const Sculpture& sculpture) {
     text += "{\"name\": " + json_text(element.name) + ", " + input_members(element) +
             ", \"size\": " + number_text(element.size) + "}";
     separator = ",\n    ";
+  }
+  if (!sculpture.props.empty()) {
+    text += "\n  ],\n  \"props\": [";
+    separator = "\n    ";
+    for (const Sculpture::Input& prop : sculpture.props) {
+      text.append(separator);
+      text += "{" + input_members(prop) + "}";
+      separator = ",\n    ";
+    }
   }
   return text + "\n  ],\n";
 }
@@ -165,6 +178,9 @@ void require_consistent(const Sculpture& sculpture, std::uint64_t seed) {
   if (sculpture.elements.size() != sculpture.options.elements.size()) {
     throw Problem{".elements", "are not as many as options.element"};
   }
+  if (sculpture.props.size() != sculpture.options.render.props.size()) {
+    throw Problem{".props", "are not as many as options.render.props"};
+  }
   if (seed != sculpture.options.packing.seed) {
     throw Problem{".seed", "differs from options.packing.seed"};
   }
@@ -191,6 +207,11 @@ Sculpture sculpture(const json& root) {
   within(root, "elements", [&](const json& list) {
     for_each_item(list, [&](const json& item) { result.elements.push_back(element(item)); });
   });
+  if (root.contains("props")) {
+    within(root, "props", [&](const json& list) {
+      for_each_item(list, [&](const json& item) { result.props.push_back(input(item)); });
+    });
+  }
   within(root, "instances", [&](const json& list) {
     result.instances.reserve(list.size());
     for_each_item(list, [&](const json& item) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
+
 #include "base/rng.h"
 #include "unit/scene/support.h"
 
@@ -38,8 +40,8 @@ TEST(CompositionBounds, AreThoseOfAllVertices) {
   }
   const CompositionBounds bounds =
       bounds_of({"x", "", {{"a", mesh, ""}, {"b", flat, ""}}, instances, nullptr, {}});
-  EXPECT_EQ(bounds.instances.min, box.min);
-  EXPECT_EQ(bounds.instances.max, box.max);
+  EXPECT_EQ(bounds.shown.min, box.min);
+  EXPECT_EQ(bounds.shown.max, box.max);
   EXPECT_DOUBLE_EQ(bounds.radius, radius);
 }
 
@@ -71,12 +73,23 @@ TEST(CompositionBounds, OutlineNearlySpansAllVertices) {
   }
 }
 
+TEST(CompositionBounds, HoldTheProps) {
+  const Mesh mesh = testing::cube();
+  const std::vector<Instance> instances{{0, 0.5, {1, 0, 0, 0}, {1, 0, 0}}};
+  Composition composition{"x", "", {{"a", mesh}}, instances, nullptr, {}};
+  composition.props.push_back({"b", mesh});
+  const CompositionBounds bounds = bounds_of(composition);
+  EXPECT_EQ(bounds.shown.min, dvec3(-1.0));
+  EXPECT_EQ(bounds.shown.max, dvec3(1.5, 1.0, 1.0));
+  EXPECT_THAT(bounds.outline, ::testing::Contains(dvec3(-1.0, 1.0, 1.0)));
+}
+
 TEST(CompositionBounds, HoldTheTarget) {
   const Mesh mesh = testing::cube();
   const Box box{{-1, -1, -1}, {1, 1, 1}};
   const std::vector<Instance> instances{{0, 0.5, {1, 0, 0, 0}, {0, 0, 0}}};
   const CompositionBounds bounds = bounds_of({"x", "", {{"a", mesh, ""}}, instances, &mesh, box});
-  EXPECT_EQ(bounds.instances.max, dvec3(0.5));
+  EXPECT_EQ(bounds.shown.max, dvec3(0.5));
   EXPECT_DOUBLE_EQ(bounds.radius, std::sqrt(2.0));
   const auto farthest = [](const std::vector<dvec3>& outline) {
     double distance = 0.0;
@@ -88,7 +101,7 @@ TEST(CompositionBounds, HoldTheTarget) {
   EXPECT_DOUBLE_EQ(farthest(bounds.outline), std::sqrt(0.75));
   EXPECT_DOUBLE_EQ(farthest(bounds.target_outline), std::sqrt(3.0));
   const CompositionBounds none = bounds_of({"x", "", {{"a", mesh, ""}}, {}, nullptr, box});
-  EXPECT_EQ(none.instances.max, dvec3(1.0));
+  EXPECT_EQ(none.shown.max, dvec3(1.0));
   EXPECT_DOUBLE_EQ(farthest(none.outline), std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(farthest(none.target_outline), std::sqrt(3.0));
 }

@@ -234,6 +234,32 @@ TEST_F(PovrayWriter, SetsTheFloorUnderAllInstances) {
   EXPECT_THAT(log, HasSubstr("hits 25"));
 }
 
+TEST_F(PovrayWriter, ShowsPropsAtEachStageAndTheirShadow) {
+  const Mesh mesh = cube();
+  Mesh prop = square();
+  prop.materials.emplace_back();
+  prop.materials[0].color = {0, 1, 0};
+  prop.triangle_materials = {0, 0};
+  const std::vector<Instance> instances{{0, 0.25, {1, 0, 0, 0}, {-1.5, 0, 0}}};
+  Composition composition{"bowl", "collage 0", {{"cube", mesh, "#ff0000"}}, instances, nullptr, {}};
+  composition.props.push_back({"bowl", prop});
+  written(composition);
+  folder.write("flat.inc", std::string(flat_template) + R"(
+#macro Set_Floor(Caster)
+  #local Normal = y;
+  #local Hit = trace(Caster, <0.5, 0.5, 5>, -z, Normal);
+  #debug concat("shadow ", str((vlength(Normal) > 0), 0, 0), "\n")
+#end
+)");
+  const Picture picture = rendered();
+  EXPECT_EQ(picture.color_at(-1.5, 0), "red");
+  EXPECT_EQ(picture.color_at(0, 0), "green");
+  EXPECT_THAT(log, HasSubstr("shadow 1"));
+  const Picture empty = rendered("#declare Stage = 0;\n");
+  EXPECT_EQ(empty.color_at(-1.5, 0), "black");
+  EXPECT_EQ(empty.color_at(0, 0), "green");
+}
+
 TEST_F(PovrayWriter, TakesNoCodeFromNames) {
   Mesh mesh = square();
   const std::string evil = "a\n#error \"owned\" */ \\";

@@ -108,6 +108,21 @@ TEST_F(SculptureFile, NamesOnlyWhatIsInTheFolder) {
   EXPECT_EQ(copy.options.name, folder.path().filename());
 }
 
+TEST_F(SculptureFile, KeepsProps) {
+  Sculpture sculpture = some_sculpture(1);
+  sculpture.options.render.props = {"/somewhere/bowl.obj"};
+  sculpture.props = {{"meshes/prop-0/bowl.obj", sculpture.target.sha256}};
+  EXPECT_THAT(written(sculpture), ::testing::Not(::testing::HasSubstr("somewhere")));
+  const Sculpture copy = read_sculpture(path);
+  ASSERT_EQ(copy.props.size(), 1U);
+  EXPECT_EQ(copy.props[0].path, "meshes/prop-0/bowl.obj");
+  EXPECT_EQ(copy.options.render.props, std::vector<std::string>{"meshes/prop-0/bowl.obj"});
+  write_file(path,
+             written(sculpture).replace(read_file(path).find("\"props\": [\n"), 9, "\"credits\":"));
+  EXPECT_THAT(error_of([&] { read_sculpture(path); }),
+              ::testing::HasSubstr("props are not as many as options.render.props"));
+}
+
 TEST_F(SculptureFile, LettersStayLettersAndTheirMeshesAreTheInputs) {
   Sculpture sculpture = some_sculpture(1);
   sculpture.options.target.mesh.clear();
