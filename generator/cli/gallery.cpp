@@ -100,7 +100,9 @@ PageTable thesis_table(const std::vector<GalleryPiece>& pieces) {
                    {"ours"},
                    {"times faster"},
                    {"filled %, thesis"},
-                   {"ours"}};
+                   {"ours"},
+                   {"by spheres"},
+                   {"of a sphere"}};
   for (const ThesisSculpture& thesis : thesis_sculptures()) {
     const GalleryPiece* piece = find_piece(pieces, thesis.scene);
     if (piece == nullptr) {
@@ -115,7 +117,8 @@ PageTable thesis_table(const std::vector<GalleryPiece>& pieces) {
           grouped(ours.instances), std::string(thesis.faces), faces_text(ours),
           thesis.minutes ? fmt::format("{:.0f}", thesis_seconds) : "–", seconds_text(seconds),
           thesis.minutes ? grouped(static_cast<std::uint64_t>(thesis_seconds / seconds)) : "–",
-          fmt::format("{:.2f}", thesis.fill_percent), percent(ours.fill_by_voxels)},
+          fmt::format("{:.2f}", thesis.fill_percent), percent(ours.fill_by_voxels),
+          percent(ours.fill_by_spheres), percent(ours.fill / ours.fill_by_spheres)},
          ""});
   }
   return table;
@@ -166,10 +169,15 @@ std::string markdown_table(const PageTable& table) {
 
 constexpr const char* thesis_note =
     "The thesis's seconds are its assembly times on a 2.4 GHz Core 2 Duo; ours are those of "
-    "placing "
-    "and updating on this machine. Models and cutoffs are ours, so that numbers of elements and "
-    "fill are alike in kind and not to be compared digit by digit: a finer cutoff fills more, a "
-    "model that is rounder fills its ball better. Filled is by voxels, as in the thesis.";
+    "placing and updating on this machine. Cutoffs are such that ours have as many elements as "
+    "the thesis's. Filled is by voxels, as in the thesis. It is the product of the last two "
+    "columns: what the smallest spheres round the elements take of the target (they reach into "
+    "each other, since a hollow of one element is free for others), and what an element takes of "
+    "its sphere, which is a matter of the model alone. Of spheres, the one element that is the "
+    "same in both, ours and the thesis's are filled alike. Two of ours are filled less: bunny, "
+    "whose carrots and hats are thinner than any other element but the chair while the spheres "
+    "round them take the most of all; and topmod3, whose target is a weave of hoops that are only "
+    "a few cutoffs thick, so that the spheres take half as much as elsewhere.";
 
 std::string gallery_markdown(const std::vector<GalleryPiece>& pieces) {
   return "# Gallery\n\nMade by `collage gallery`, collage " + std::string(version) + ".\n\n" +

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
 #include <tbb/parallel_for.h>
 
 #include "base/error.h"
@@ -174,12 +175,23 @@ void copy_templates(const Scene& scene, const fs::path& folder) {
   }
 }
 
+/// Of the smallest spheres round the instances.
+double sphere_volume(const Workshop& workshop, std::span<const Instance> instances) {
+  double volume = 0.0;
+  for (const Instance& instance : instances) {
+    const double radius = instance.scale * workshop.elements[instance.element]->size();
+    volume += 4.0 / 3.0 * glm::pi<double>() * radius * radius * radius;
+  }
+  return volume;
+}
+
 Report summarise(const Scene& scene, const Workshop& workshop, const Packing& packing) {
   Report report;
   report.seed = scene.packing.seed;
   report.instances = packing.instances.size();
   report.fill = fill(*workshop.target, workshop.ingredients, packing.instances);
   report.fill_by_voxels = packing.fill_by_voxels();
+  report.fill_by_spheres = sphere_volume(workshop, packing.instances) / workshop.target->volume();
   report.largest_hole = packing.largest_hole / workshop.target->box().longest_side();
   for (int axis = 0; axis < 3; ++axis) {
     report.voxels[static_cast<std::size_t>(axis)] =

@@ -61,6 +61,7 @@ Report report(const json& root) {
   result.instances = within(root, "instances", natural);
   result.fill = within(root, "fill", number);
   result.fill_by_voxels = within(root, "fill_by_voxels", number);
+  result.fill_by_spheres = within(root, "fill_by_spheres", number);
   result.largest_hole = within(root, "largest_hole", number);
   result.voxels = within(root, "voxels", voxels);
   result.seconds = within(root, "seconds", seconds);
@@ -127,6 +128,7 @@ void write_report(const fs::path& path, const Report& report) {
                        ",\n  \"instances\": " + std::to_string(report.instances) +
                        ",\n  \"fill\": " + number_text(report.fill) +
                        ",\n  \"fill_by_voxels\": " + number_text(report.fill_by_voxels) +
+                       ",\n  \"fill_by_spheres\": " + number_text(report.fill_by_spheres) +
                        ",\n  \"largest_hole\": " + number_text(report.largest_hole) +
                        ",\n  \"voxels\": [" + std::to_string(report.voxels[0]) + ", " +
                        std::to_string(report.voxels[1]) + ", " + std::to_string(report.voxels[2]) +

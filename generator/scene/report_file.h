@@ -27,9 +27,11 @@ struct Report {
 
   std::uint64_t seed = 0;
   std::uint64_t instances = 0;
-  /// Shares of the target, 0 to 1: by the volumes of the meshes, and of the voxels inside it.
+  /// Shares of the target, 0 to 1: by the volumes of the meshes, of the voxels inside it, and by
+  /// the volumes of the smallest spheres round the instances.
   double fill = 0.0;
   double fill_by_voxels = 0.0;
+  double fill_by_spheres = 0.0;
   /// Radius as a fraction of the target's longest side.
   double largest_hole = 0.0;
   std::array<std::uint64_t, 3> voxels{};

@@ -15,6 +15,7 @@ Report some_report() {
   report.instances = 1433;
   report.fill = 0.7287;
   report.fill_by_voxels = 0.71;
+  report.fill_by_spheres = 0.74;
   report.largest_hole = 0.0199;
   report.voxels = {104, 66, 84};
   report.seconds = {1.5, 2.25, 3.125, 0.5, 60.0};
@@ -31,6 +32,7 @@ TEST(ReportFile, ReadsBackWhatItWrote) {
   EXPECT_EQ(copy.instances, 1433U);
   EXPECT_EQ(copy.fill, 0.7287);
   EXPECT_EQ(copy.fill_by_voxels, 0.71);
+  EXPECT_EQ(copy.fill_by_spheres, 0.74);
   EXPECT_EQ(copy.largest_hole, 0.0199);
   EXPECT_EQ(copy.voxels, report.voxels);
   EXPECT_EQ(copy.seconds.prepare, 1.5);
