@@ -174,10 +174,9 @@ constexpr const char* thesis_note =
     "columns: what the smallest spheres round the elements take of the target (they reach into "
     "each other, since a hollow of one element is free for others), and what an element takes of "
     "its sphere, which is a matter of the model alone. Of spheres, the one element that is the "
-    "same in both, ours and the thesis's are filled alike. Two of ours are filled less: bunny, "
-    "whose carrots and hats are thinner than any other element but the chair while the spheres "
-    "round them take the most of all; and topmod3, whose target is a weave of hoops that are only "
-    "a few cutoffs thick, so that the spheres take half as much as elsewhere.";
+    "same in both, ours and the thesis's are filled alike. Where ours is filled less, the last "
+    "column tells whether the model is thin, and the one before whether the spheres take less, as "
+    "they do in a target that is only a few cutoffs thick.";
 
 std::string gallery_markdown(const std::vector<GalleryPiece>& pieces) {
   return "# Gallery\n\nMade by `collage gallery`, collage " + std::string(version) + ".\n\n" +
