@@ -35,7 +35,8 @@ std::optional<double> fraction_in(std::string_view line) {
   }
   int value = 0;
   const auto result = std::from_chars(line.data() + open + 1, line.data() + percent, value);
-  return result.ptr == line.data() + percent ? std::optional(value / 100.0) : std::nullopt;
+  const bool valid = result.ptr == line.data() + percent && value >= 0 && value <= 100;
+  return valid ? std::optional(value / 100.0) : std::nullopt;
 }
 
 /// POV-Ray breaks its messages after 80 columns, in the middle of a word if need be.

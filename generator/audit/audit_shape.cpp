@@ -69,13 +69,16 @@ Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t 
           instance.world_from_element(mesh.corner(triangle, 2))};
 }
 
-/// Whether some part of b is wholly what `holds` says of a vertex, as seen from a: where a is
-/// closed and surfaces do not meet, one vertex stands for its part.
+/// Whether `holds` says of some part of b, as seen from a, where it lies: where a is closed and
+/// surfaces do not meet, one vertex stands for its part. Where a is open, whether it says so of all
+/// vertices of b, as its inside ends in empty space.
 template <class Holds>
 bool holds_of_a_part(const AuditShape& a, const AuditShape& b, Holds holds) {
-  return std::ranges::any_of(b.parts(), [&](const std::vector<dvec3>& part) {
-    return a.closed() ? holds(part.front()) : std::ranges::all_of(part, holds);
-  });
+  if (a.closed()) {
+    return std::ranges::any_of(b.parts(), [&](const auto& part) { return holds(part.front()); });
+  }
+  return std::ranges::all_of(b.parts(),
+                             [&](const auto& part) { return std::ranges::all_of(part, holds); });
 }
 
 }  // namespace

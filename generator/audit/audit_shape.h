@@ -40,13 +40,12 @@ Box world_box(const AuditShape& shape, const Instance& instance);
 bool surfaces_meet(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
                    const Instance& instance_b);
 
-/// True where, surfaces not meeting, a part of b lies inside of a; where a is open, with all its
-/// vertices.
+/// True where, surfaces not meeting, a part of b lies inside of a; where a is open, all of b.
 bool lies_inside(const AuditShape& a, const Instance& instance_a, const AuditShape& b,
                  const Instance& instance_b);
 
 /// True where, surfaces not meeting, a part of b lies outside of the target, which is in the
-/// world's frame; where the target is open, with all its vertices.
+/// world's frame; where the target is open, all of b.
 bool lies_outside(const AuditShape& target, const AuditShape& b, const Instance& instance_b);
 
 }  // namespace collage

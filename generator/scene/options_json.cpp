@@ -85,9 +85,10 @@ void read_section(Scene& scene, const std::string& section, std::size_t element,
   if (!value.is_object()) {
     throw Problem{"", "is not an object"};
   }
-  for (const auto& [name, option] : value.items()) {
-    within(value, name.c_str(),
-           [&](const json& given) { read_option(scene, section + "." + name, element, given); });
+  for (const auto& item : value.items()) {
+    within(value, item.key().c_str(), [&](const json& given) {
+      read_option(scene, section + "." + item.key(), element, given);
+    });
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/mesh_parts.h"
 #include "packing/pack.h"
 #include "support/meshes.h"
 
@@ -123,6 +124,22 @@ TEST_F(AuditTest, LetsAnInstanceStandInTheOpeningOfAnotherButNotInside) {
   EXPECT_EQ(overlaps(1.5), 0U);
   EXPECT_EQ(overlaps(1.0), 0U);
   EXPECT_EQ(overlaps(0.0), 1U);
+}
+
+TEST_F(AuditTest, CountsTwoPartsInTheOpeningOfAnotherAsOne) {
+  const Mesh room = test::box_mesh(dvec3(-9), dvec3(9));
+  const Mesh bowl = test::open_box_mesh(dvec3(-1), dvec3(1));
+  const auto overlaps = [&](double height) {
+    Mesh dumbbell = test::box_mesh(dvec3(-0.1), dvec3(0.1));
+    const dvec3 above(0.0, height, 0.0);
+    append_part(dumbbell, test::box_mesh(above - 0.1, above + 0.1), Material());
+    std::vector<Instance> two(2);
+    two[1].element = 1;
+    Status status;
+    return audit({&room, {&bowl, &dumbbell}, {{}, {}}, two}, status).overlaps.size();
+  };
+  EXPECT_EQ(overlaps(3.0), 0U);
+  EXPECT_EQ(overlaps(0.3), 1U);
 }
 
 TEST_F(AuditTest, LetsAnInstanceStandInTheOpeningOfTheTargetButNotOutside) {

@@ -84,6 +84,7 @@ TEST(PovrayConsole, without_pretrace_the_pixels_are_everything) {
   console.read_line("Rendered 1024 of 2048 pixels (50%)");
   EXPECT_EQ(console.fraction(), 0.5);
   console.read_line("Rendered nonsense (%)");
+  console.read_line("Rendered too much (150%)");
   EXPECT_EQ(console.fraction(), 0.5);
 }
 
