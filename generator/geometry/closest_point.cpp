@@ -12,6 +12,8 @@ struct Search {
   const Mesh* mesh;
   ClosestPointIndex::Surface surface;
   dvec3 query;
+  /// How much farther than the best the hierarchy looks, for what it loses in float.
+  double margin;
   ClosestPoint best;
 };
 
@@ -40,7 +42,7 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
     return false;
   }
   search.best = {point, distance, triangle};
-  arguments->query->radius = rounded_up(distance);
+  arguments->query->radius = rounded_up(distance + search.margin);
   return true;
 }
 
@@ -103,11 +105,12 @@ ClosestPointIndex::ClosestPointIndex(ClosestPointIndex&&) noexcept = default;
 ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = default;
 
 std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance) const {
+  const double margin = error(query);
   RTCPointQuery sphere{static_cast<float>(query.x), static_cast<float>(query.y),
-                       static_cast<float>(query.z), 0.0F, rounded_up(max_distance)};
+                       static_cast<float>(query.z), 0.0F, rounded_up(max_distance + margin)};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  Search search{&hierarchy_->mesh, hierarchy_->surface, query, {{}, max_distance, 0}};
+  Search search{&hierarchy_->mesh, hierarchy_->surface, query, margin, {{}, max_distance, 0}};
   rtcPointQuery(hierarchy_->scene.get(), &sphere, &context, visit_triangle, &search);
   if (search.best.distance >= max_distance) {
     return std::nullopt;
