@@ -27,6 +27,8 @@ class NearestSurface {
     return nearest;
   }
 
+  bool operator==(const NearestSurface&) const = default;
+
   [[nodiscard]] SurfaceId id() const { return bits_ & most_surfaces; }
   [[nodiscard]] bool is_exact() const { return bits_ >> 24 == 0; }
   [[nodiscard]] bool is_unknown() const { return bits_ >> 24 == largest_code; }

@@ -86,7 +86,8 @@ class BlockUpdate {
         surfaces_(surfaces),
         id_(id),
         newcomer_(newcomer),
-        useless_(rounded_down(useless * (1.0 - 1e-9))) {}
+        useless_(rounded_down(useless * (1.0 - 1e-9))),
+        voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
 
   /// Returns the number of voxels flagged.
   std::size_t run(std::size_t index, std::vector<Update::Voxel>* before);
@@ -100,7 +101,7 @@ class BlockUpdate {
 
   void visit(std::size_t slot);
   void set_distance(std::size_t slot, const Point& at);
-  void resolve(std::size_t slot, const Point& at);
+  void resolve(std::size_t slot, const Point& at, const Newcomer::Bounds& bounds);
   void keep(std::size_t slot, float upper, NearestSurface nearest) {
     if (before_ != nullptr) {
       before_->push_back({index_, slot, block_.upper[slot], block_.nearest[slot]});
@@ -114,6 +115,7 @@ class BlockUpdate {
   SurfaceId id_;
   const Newcomer& newcomer_;
   float useless_;
+  float voxel_side_;
 
   std::size_t index_ = 0;
   ClearanceField::Block block_{};
@@ -183,24 +185,28 @@ void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
   if (!newcomer_.find(at.unit, upper, bounds)) {
     return;
   }
-  if (bounds.upper < nearest.lower(upper, static_cast<float>(field_.grid().voxel_side))) {
+  if (bounds.upper < nearest.lower(upper, voxel_side_)) {
     keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
   } else if (std::min(bounds.upper, upper) >= useless_) {
-    resolve(slot, at);
+    resolve(slot, at, bounds);
   } else if (bounds.upper < upper || !nearest.is_unknown()) {
     keep(slot, std::min(bounds.upper, upper), NearestSurface::unknown(id_));
   }
 }
 
-/// Asks both surfaces.
-void BlockUpdate::resolve(std::size_t slot, const Point& at) {
-  const NearestSurface nearest = block_.nearest[slot];
+/// Asks the surface that was nearest, and the new one where that is not enough.
+void BlockUpdate::resolve(std::size_t slot, const Point& at, const Newcomer::Bounds& bounds) {
+  const SurfaceId before = block_.nearest[slot].id();
   float clearance = block_.upper[slot];
-  if (!nearest.is_exact()) {
-    clearance = surfaces_.clearance(nearest.id(), at.world);
-    keep(slot, clearance, NearestSurface(nearest.id()));
+  if (!block_.nearest[slot].is_exact()) {
+    clearance = surfaces_.clearance(before, at.world);
+    keep(slot, clearance, NearestSurface(before));
   }
-  if (at.to_sphere >= clearance) {
+  if (at.to_sphere >= clearance || bounds.lower >= clearance) {
+    return;
+  }
+  if (bounds.upper < clearance) {
+    keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
     return;
   }
   const float distance = newcomer_.placed().distance(at.unit, clearance);

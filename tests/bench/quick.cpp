@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string>
 #include <tbb/global_control.h>
-#include "base/stopwatch.h"
+#include <ctime>
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
 #include "geometry/models.h"
@@ -11,6 +11,7 @@
 #include "support/exact_packer.h"
 #include "support/meshes.h"
 using namespace collage;
+struct Cpu { clock_t t = clock(); double seconds() const { return double(clock()-t)/CLOCKS_PER_SEC; } };
 int main(int argc, char** argv) {
   Status status;
   auto load = [&](std::string p) { if (p == "torus") return test::torus_mesh(1.0, 0.4, 32, 16); if (p=="ball") return make_sphere(3);
@@ -19,7 +20,7 @@ int main(int argc, char** argv) {
   const int threads = atoi(argv[5]);
   const bool slow = argc > 7;
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  Stopwatch w;
+  Cpu w;
   const MeshTarget target(load(argv[1]));
   printf("target %.3f\n", w.seconds()); w = {};
   const Mesh em = load(argv[2]);
