@@ -32,8 +32,11 @@ class ClosestPointIndex {
   ClosestPointIndex(ClosestPointIndex&&) noexcept;
   ClosestPointIndex& operator=(ClosestPointIndex&&) noexcept;
 
-  /// Nothing where no point is nearer than `max_distance`.
-  [[nodiscard]] std::optional<ClosestPoint> find(const dvec3& query, double max_distance) const;
+  /// Nothing where no point is nearer than `max_distance`. A triangle that is likely to be near,
+  /// such as that of a neighbour, as `hint` makes it faster; the distance stays the same.
+  [[nodiscard]] std::optional<ClosestPoint> find(
+      const dvec3& query, double max_distance,
+      std::optional<std::uint32_t> hint = std::nullopt) const;
 
   /// How much too far away the hierarchy can take a triangle to be. Rounding of a vertex (≤ 1) and
   /// of the query to float moves each by at most 2⁻²⁴ √3 of its length, and Embree's arithmetic on

@@ -73,17 +73,17 @@ DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>&
   for (at.z = 0; at.z < cells; ++at.z) {
     for (at.y = 0; at.y < cells; ++at.y) {
       for (at.x = 0; at.x < cells; ++at.x) {
-        Box closest;
+        dvec3 moved(0.0);  // the most along an edge, in its direction
         for (int corner = 0; corner < 8; ++corner) {
-          closest.include(node(at + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2)).closest);
+          const glm::ivec3 from = at + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+          for (int axis = 0; axis < 3; ++axis) {
+            glm::ivec3 to = from;
+            to[axis] = at[axis] + 1;
+            moved[axis] = std::max(moved[axis], node(to).closest[axis] - node(from).closest[axis]);
+          }
         }
-        double farthest = 0.0;
-        for (int corner = 0; corner < 8; ++corner) {
-          const dvec3 point =
-              node(at + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2)).closest;
-          farthest = std::max(farthest, glm::distance(point, closest.center()));
-        }
-        gap_.push_back(static_cast<float>(std::sqrt(3.0) * side * farthest + 3.0 * rounding));
+        const double gap = 0.5 * side * (moved.x + moved.y + moved.z);
+        gap_.push_back(static_cast<float>(gap + 3.0 * rounding));
       }
     }
   }

@@ -13,8 +13,9 @@ namespace collage {
 ///
 /// For any set, d² - |x|² is a minimum of linear functions, |q|² - 2 x·q over its points q, and so
 /// concave: its trilinear interpolation between nodes is never above it. By how much it can be
-/// below, in a cell of side h whose corners have the closest points qᵢ, follows from the linear
-/// functions of these: at most √3 h max |qᵢ - q̄| for any q̄. Both hold across the medial axis too.
+/// below follows from the linear functions of the corners' closest points: in a cell of side h at
+/// most h/2 Σ Δₖ, where Δₖ is the most by which the closest point moves along k from one end to the
+/// other of an edge along k. Both hold across the medial axis too.
 ///
 /// The grids lie in each other, each twice as wide as the last; memory 1 MB.
 /// Safe to query from many threads.

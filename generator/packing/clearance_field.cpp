@@ -1,6 +1,7 @@
 #include "packing/clearance_field.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include <tbb/parallel_for.h>
@@ -40,12 +41,25 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
 
 void ClearanceField::sample(const Target& target, std::size_t block_index) {
   const Block view = block(block_index);
-  for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
+  std::array<std::size_t, VoxelGrid::block_voxels> slots;
+  std::array<dvec3, VoxelGrid::block_voxels> points;
+  std::array<double, VoxelGrid::block_voxels> clearances;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < VoxelGrid::block_voxels; ++i) {
+    // There and back again, so that each voxel is beside the one before it.
+    const std::size_t row = i / VoxelGrid::block_side;
+    const std::size_t layer = row / VoxelGrid::block_side;
+    std::size_t slot = layer % 2 == 0 ? i : i ^ 56U;
+    slot = row % 2 == 0 ? slot : slot ^ 7U;
     const glm::ivec3 voxel = view.first_voxel + VoxelGrid::local_at(slot);
     if (glm::all(glm::lessThan(voxel, grid_.size))) {
-      const double clearance = target.clearance(grid_.sample_point(voxel));
-      view.upper[slot] = rounded_down(clearance);
+      slots[count] = slot;
+      points[count++] = grid_.sample_point(voxel);
     }
+  }
+  target.clearances({points.data(), count}, {clearances.data(), count});
+  for (std::size_t i = 0; i < count; ++i) {
+    view.upper[slots[i]] = rounded_down(clearances[i]);
   }
 }
 

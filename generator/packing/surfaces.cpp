@@ -10,6 +10,9 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+/// A limit that a distance known to be at most `upper` is below, however it is rounded.
+double beyond(double upper) { return upper * (1.0 + 1e-5) + std::numeric_limits<double>::min(); }
+
 }  // namespace
 
 PlacedElement::PlacedElement(const Element& element, const Instance& instance)
@@ -25,12 +28,12 @@ float PlacedElement::distance(const dvec3& unit, double limit) const {
                  : std::numeric_limits<float>::infinity();
 }
 
-float Surfaces::clearance(SurfaceId id, const dvec3& point) const {
+float Surfaces::clearance(SurfaceId id, const dvec3& point, double upper) const {
   if (id == target_surface) {
     return rounded_down(target_.clearance(point));
   }
   const PlacedElement neighbour = placed(instances[id - 1]);
-  return neighbour.distance(neighbour.unit_from_world(point), unbounded);
+  return neighbour.distance(neighbour.unit_from_world(point), beyond(upper));
 }
 
 std::pair<SurfaceId, float> Surfaces::nearest(const dvec3& point) const {

@@ -48,8 +48,9 @@ class Surfaces {
   [[nodiscard]] PlacedElement placed(const Instance& instance) const {
     return {*elements_[instance.element], instance};
   }
-  /// The clearance at a point that is in no instance, as far as one surface is concerned.
-  [[nodiscard]] float clearance(SurfaceId id, const dvec3& point) const;
+  /// The clearance at a point that is in no instance, as far as one surface is concerned; known to
+  /// be at most `upper`.
+  [[nodiscard]] float clearance(SurfaceId id, const dvec3& point, double upper) const;
   /// The nearest surface with the clearance, by a look at every instance: O(n).
   [[nodiscard]] std::pair<SurfaceId, float> nearest(const dvec3& point) const;
   /// Unit vector to the nearest point of the surface.

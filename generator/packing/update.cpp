@@ -14,7 +14,7 @@ namespace collage {
 namespace {
 
 /// The element's coarse grid serves instances of at most this many voxels across their radius.
-constexpr double coarse_radius_voxels = 4.0;
+constexpr double coarse_radius_voxels = 0.0;
 /// A footprint of more blocks than this is worth being shared among threads.
 constexpr std::size_t blocks_on_one_thread = 64;
 
@@ -199,7 +199,7 @@ void BlockUpdate::resolve(std::size_t slot, const Point& at, const Newcomer::Bou
   const SurfaceId before = block_.nearest[slot].id();
   float clearance = block_.upper[slot];
   if (!block_.nearest[slot].is_exact()) {
-    clearance = surfaces_.clearance(before, at.world);
+    clearance = surfaces_.clearance(before, at.world, clearance);
     keep(slot, clearance, NearestSurface(before));
   }
   if (at.to_sphere >= clearance || bounds.lower >= clearance) {
@@ -300,7 +300,7 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces,
     nearest = NearestSurface(id);
     block.upper[peak.slot] = clearance;
   } else if (!nearest.is_exact()) {
-    block.upper[peak.slot] = surfaces.clearance(nearest.id(), point);
+    block.upper[peak.slot] = surfaces.clearance(nearest.id(), point, block.upper[peak.slot]);
     nearest = NearestSurface(nearest.id());
   }
   return field.scan_block(peak.block);
