@@ -1,18 +1,36 @@
 #include "geometry/closest_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "geometry/embree_scene.h"
 
 namespace collage {
 namespace {
 
+/// A triangle with a ball round it.
+struct Facet {
+  dvec3 a, b, c;
+  dvec3 center;
+  double radius;
+
+  Facet(const dvec3& a_, const dvec3& b_, const dvec3& c_)
+      : a(a_), b(b_), c(c_), center((a_ + b_ + c_) / 3.0) {
+    // With some room, so that rounding never makes a point look farther than it is.
+    radius = 1e-12 + std::max({glm::distance(center, a), glm::distance(center, b),
+                               glm::distance(center, c)});
+  }
+};
+
 struct Search {
-  const Mesh* mesh;
+  const std::vector<Facet>* facets;
   ClosestPointIndex::Surface surface;
   dvec3 query;
   ClosestPoint best;
+
+  bool visit(std::uint32_t triangle);
 };
 
 float rounded_up(double x) {
@@ -26,21 +44,36 @@ dvec3 closest_corner(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3
   return squared(c) < squared(ab) ? c : ab;
 }
 
-bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
-  auto& search = *static_cast<Search*>(arguments->userPtr);
-  const std::uint32_t triangle = arguments->primID;
-  const dvec3 a = search.mesh->corner(triangle, 0);
-  const dvec3 b = search.mesh->corner(triangle, 1);
-  const dvec3 c = search.mesh->corner(triangle, 2);
-  const dvec3 point = search.surface == ClosestPointIndex::Surface::triangles
-                          ? closest_point_on_triangle(search.query, a, b, c)
-                          : closest_corner(search.query, a, b, c);
-  const double distance = glm::distance(search.query, point);
-  if (distance >= search.best.distance) {
+/// True where the triangle is nearer than the best.
+bool Search::visit(std::uint32_t triangle) {
+  const Facet& facet = (*facets)[triangle];
+  const dvec3 to_center = facet.center - query;
+  const double reach = best.distance + facet.radius;
+  if (glm::dot(to_center, to_center) >= reach * reach) {
     return false;
   }
-  search.best = {point, distance, triangle};
-  arguments->query->radius = rounded_up(distance);
+  const dvec3 point = surface == ClosestPointIndex::Surface::triangles
+                          ? closest_point_on_triangle(query, facet.a, facet.b, facet.c)
+                          : closest_corner(query, facet.a, facet.b, facet.c);
+  const double distance = glm::distance(query, point);
+  if (distance >= best.distance) {
+    return false;
+  }
+  best = {point, distance, triangle};
+  return true;
+}
+
+struct EmbreeSearch : Search {
+  /// How much farther than the best the hierarchy looks, for what it loses in float.
+  double margin;
+};
+
+bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
+  auto& search = *static_cast<EmbreeSearch*>(arguments->userPtr);
+  if (!search.visit(arguments->primID)) {
+    return false;
+  }
+  arguments->query->radius = rounded_up(search.best.distance + search.margin);
   return true;
 }
 
@@ -84,15 +117,16 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
 }
 
 struct ClosestPointIndex::Hierarchy {
-  /// Only positions and triangles.
-  Mesh mesh;
+  std::vector<Facet> facets;
   Surface surface;
   EmbreeScene scene;
 
-  Hierarchy(const Mesh& source, Surface what)
-      : surface(what), scene(embree_triangles(source), RTC_SCENE_FLAG_NONE) {
-    mesh.positions = source.positions;
-    mesh.triangles = source.triangles;
+  Hierarchy(const Mesh& mesh, Surface what)
+      : surface(what), scene(embree_triangles(mesh), RTC_SCENE_FLAG_NONE) {
+    facets.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      facets.emplace_back(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    }
   }
 };
 
@@ -102,12 +136,19 @@ ClosestPointIndex::~ClosestPointIndex() = default;
 ClosestPointIndex::ClosestPointIndex(ClosestPointIndex&&) noexcept = default;
 ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = default;
 
-std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance) const {
+std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance,
+                                                    std::optional<std::uint32_t> hint) const {
+  const double margin = error(query);
+  EmbreeSearch search{
+      {&hierarchy_->facets, hierarchy_->surface, query, {{}, max_distance, 0}}, margin};
+  if (hint) {
+    search.visit(*hint);
+  }
   RTCPointQuery sphere{static_cast<float>(query.x), static_cast<float>(query.y),
-                       static_cast<float>(query.z), 0.0F, rounded_up(max_distance)};
+                       static_cast<float>(query.z), 0.0F,
+                       rounded_up(search.best.distance + margin)};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  Search search{&hierarchy_->mesh, hierarchy_->surface, query, {{}, max_distance, 0}};
   rtcPointQuery(hierarchy_->scene.get(), &sphere, &context, visit_triangle, &search);
   if (search.best.distance >= max_distance) {
     return std::nullopt;

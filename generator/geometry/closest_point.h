@@ -19,8 +19,8 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
 
 /// Finds the nearest point of a mesh that lies within the unit ball round the origin.
 ///
-/// The hierarchy is Embree's and its boxes are float, so a triangle may be passed over that is
-/// nearer by less than `error(query)`: the true distance is in [distance - error, distance].
+/// The hierarchy is Embree's and its boxes are float; it is searched `error(query)` farther than
+/// the best found, so that the distance is the least of all, whatever bound the search began with.
 /// Safe to query from many threads. Build O(n log n), query O(log n) for usual meshes.
 class ClosestPointIndex {
  public:
@@ -32,12 +32,15 @@ class ClosestPointIndex {
   ClosestPointIndex(ClosestPointIndex&&) noexcept;
   ClosestPointIndex& operator=(ClosestPointIndex&&) noexcept;
 
-  /// Nothing where no point is nearer than `max_distance`.
-  [[nodiscard]] std::optional<ClosestPoint> find(const dvec3& query, double max_distance) const;
+  /// Nothing where no point is nearer than `max_distance`. A triangle that is likely to be near,
+  /// such as that of a neighbour, as `hint` makes it faster; the distance stays the same.
+  [[nodiscard]] std::optional<ClosestPoint> find(
+      const dvec3& query, double max_distance,
+      std::optional<std::uint32_t> hint = std::nullopt) const;
 
-  /// How much too long a found distance can be. Rounding of a vertex (≤ 1) and of the query to
-  /// float moves each by at most 2⁻²⁴ √3 of its length, and Embree's arithmetic on boxes adds a few
-  /// units in the last place; 10⁻⁶ is over twice their sum.
+  /// How much too far away the hierarchy can take a triangle to be. Rounding of a vertex (≤ 1) and
+  /// of the query to float moves each by at most 2⁻²⁴ √3 of its length, and Embree's arithmetic on
+  /// boxes adds a few units in the last place; 10⁻⁶ is over twice their sum.
   [[nodiscard]] static double error(const dvec3& query) {
     return 1e-6 * (1.0 + glm::length(query));
   }

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "base/rng.h"
+#include "geometry/topology.h"
 
 namespace collage {
+
 Mesh in_unit_frame(const Mesh& mesh, const dvec3& center, double radius) {
   Mesh unit;
   unit.triangles = mesh.triangles;
@@ -34,7 +36,12 @@ Solid::Solid(const Mesh& mesh, const dvec3& center, double radius)
       surface_(in_unit_frame(mesh, center, radius)),
       winding_number_(in_unit_frame(mesh, center, radius)),
       cells_(static_cast<std::size_t>(cells_per_side) * cells_per_side * cells_per_side) {
-  classify({0, 0, 0, cells_per_side});
+  if (is_closed(mesh)) {
+    crossings_.emplace(in_unit_frame(mesh, center, radius), winding_number_, cells_per_side);
+    classify_by_crossings();
+  } else {
+    classify({0, 0, 0, cells_per_side});
+  }
   const Sample sampled = sampled_volume();
   const double unit_volume = radius * radius * radius;
   const double enclosed = enclosed_volume(mesh);
@@ -68,6 +75,13 @@ void Solid::classify(const CellBlock& block) {
   }
 }
 
+void Solid::classify_by_crossings() {
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const Cell all = crossings_->winding_at_middle(cell) > 0 ? Cell::inside : Cell::outside;
+    cells_[cell] = crossings_->is_empty(cell) ? all : Cell::mixed;
+  }
+}
+
 void Solid::fill(const CellBlock& block, Cell state) {
   for (int k = block.k; k < block.k + block.side; ++k) {
     for (int j = block.j; j < block.j + block.side; ++j) {
@@ -83,9 +97,18 @@ bool Solid::inside(const dvec3& unit_point) const {
   if (!in_range(cell.x) || !in_range(cell.y) || !in_range(cell.z)) {
     return false;  // outside of the ball that holds the mesh
   }
-  const Cell state = cells_[cell_index(static_cast<int>(cell.x), static_cast<int>(cell.y),
-                                       static_cast<int>(cell.z))];
-  return state == Cell::mixed ? winding_number_.inside(unit_point) : state == Cell::inside;
+  const std::size_t index = cell_index(static_cast<int>(cell.x), static_cast<int>(cell.y),
+                                       static_cast<int>(cell.z));
+  const Cell state = cells_[index];
+  if (state != Cell::mixed) {
+    return state == Cell::inside;
+  }
+  if (crossings_) {
+    if (const std::optional<int> winding = crossings_->winding_at(index, unit_point)) {
+      return *winding > 0;
+    }
+  }
+  return winding_number_.inside(unit_point);
 }
 
 Solid::Sample Solid::sampled_volume() const {
@@ -122,7 +145,7 @@ double Solid::share_inside(const CellBlock& cell) const {
       offset[axis] = rng.uniform() - 0.5;
     }
     offset.x = (offset.x + 0.5 + half) / samples_per_cell - 0.5;
-    inside += winding_number_.inside(cell.center() + cell_side * offset) ? 1 : 0;
+    inside += this->inside(cell.center() + cell_side * offset) ? 1 : 0;
   }
   return static_cast<double>(inside) / samples_per_cell;
 }

@@ -1,6 +1,7 @@
 #include "packing/clearance_field.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include <tbb/parallel_for.h>
@@ -15,9 +16,9 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
     : grid_(grid) {
   const std::size_t blocks = grid_.block_count();
   const std::size_t voxels = blocks * VoxelGrid::block_voxels;
-  require_memory(voxels * (sizeof(float) + sizeof(SurfaceId)), "the voxels", "target.resolution");
-  clearance_.assign(voxels, -1.0F);
-  nearest_.assign(voxels, target_surface);
+  require_memory(voxels * (sizeof(float) + sizeof(NearestSurface)), "the voxels", "target.resolution");
+  upper_.assign(voxels, -1.0F);
+  nearest_.assign(voxels, NearestSurface(target_surface));
   leaves_ = std::bit_ceil(blocks);
   maxima_.assign(2 * leaves_, -1.0F);
 
@@ -35,33 +36,46 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
     set_block_maximum(index, scan_block(index));
   }
   voxels_inside_ = static_cast<std::size_t>(
-      std::count_if(clearance_.begin(), clearance_.end(), [](float c) { return c >= 0.0F; }));
+      std::count_if(upper_.begin(), upper_.end(), [](float c) { return c >= 0.0F; }));
 }
 
 void ClearanceField::sample(const Target& target, std::size_t block_index) {
   const Block view = block(block_index);
-  for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
+  std::array<std::size_t, VoxelGrid::block_voxels> slots;
+  std::array<dvec3, VoxelGrid::block_voxels> points;
+  std::array<double, VoxelGrid::block_voxels> clearances;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < VoxelGrid::block_voxels; ++i) {
+    // There and back again, so that each voxel is beside the one before it.
+    const std::size_t row = i / VoxelGrid::block_side;
+    const std::size_t layer = row / VoxelGrid::block_side;
+    std::size_t slot = layer % 2 == 0 ? i : i ^ 56U;
+    slot = row % 2 == 0 ? slot : slot ^ 7U;
     const glm::ivec3 voxel = view.first_voxel + VoxelGrid::local_at(slot);
     if (glm::all(glm::lessThan(voxel, grid_.size))) {
-      const double clearance = target.clearance(grid_.sample_point(voxel));
-      view.clearance[slot] = rounded_down(clearance);
+      slots[count] = slot;
+      points[count++] = grid_.sample_point(voxel);
     }
+  }
+  target.clearances({points.data(), count}, {clearances.data(), count});
+  for (std::size_t i = 0; i < count; ++i) {
+    view.upper[slots[i]] = rounded_down(clearances[i]);
   }
 }
 
 ClearanceField::Block ClearanceField::block(std::size_t index) {
   const std::size_t first = index * VoxelGrid::block_voxels;
-  return {grid_.block_at(index) * VoxelGrid::block_side, &clearance_[first], &nearest_[first]};
+  return {grid_.block_at(index) * VoxelGrid::block_side, &upper_[first], &nearest_[first]};
 }
 
 float ClearanceField::scan_block(std::size_t index) const {
-  const auto first =
-      clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
-  float maximum = -1.0F;
+  // As integers, floats that are -1 or not negative have the same order, and vector instructions.
+  const float* first = &upper_[index * VoxelGrid::block_voxels];
+  auto maximum = std::bit_cast<std::int32_t>(-1.0F);
   for (std::size_t slot = 0; slot < VoxelGrid::block_voxels; ++slot) {
-    maximum = std::max(maximum, first[static_cast<std::ptrdiff_t>(slot)]);
+    maximum = std::max(maximum, std::bit_cast<std::int32_t>(first[slot]));
   }
-  return maximum;
+  return std::bit_cast<float>(maximum);
 }
 
 void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
@@ -77,23 +91,24 @@ void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
   }
 }
 
-Hole ClearanceField::largest_hole() const {
+std::optional<ClearanceField::Peak> ClearanceField::peak() const {
   const float maximum = maxima_[1];
   if (maximum <= 0.0F) {
-    return {};
+    return std::nullopt;
   }
   std::size_t node = 1;
   while (node < leaves_) {
     node = maxima_[2 * node] == maximum ? 2 * node : 2 * node + 1;
   }
   const std::size_t index = node - leaves_;
-  const auto first =
-      clearance_.begin() + static_cast<std::ptrdiff_t>(index * VoxelGrid::block_voxels);
-  const auto at = std::find(first, first + VoxelGrid::block_voxels, maximum);
-  const glm::ivec3 voxel = grid_.block_at(index) * VoxelGrid::block_side +
-                           VoxelGrid::local_at(static_cast<std::size_t>(at - first));
-  return {grid_.sample_point(voxel), maximum,
-          nearest_[static_cast<std::size_t>(at - clearance_.begin())]};
+  const float* first = &upper_[index * VoxelGrid::block_voxels];
+  const float* at = std::find(first, first + VoxelGrid::block_voxels, maximum);
+  return Peak{index, static_cast<std::size_t>(at - first), maximum};
+}
+
+dvec3 ClearanceField::sample_point(const Peak& peak) const {
+  return grid_.sample_point(grid_.block_at(peak.block) * VoxelGrid::block_side +
+                            VoxelGrid::local_at(peak.slot));
 }
 
 }  // namespace collage

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/status.h"
+#include "packing/nearest_surface.h"
 #include "packing/target.h"
 #include "packing/voxel_grid.h"
 
 namespace collage {
-
-/// Which surface is nearest to a voxel: the target's or that of instance `id - 1`.
-using SurfaceId = std::uint32_t;
-inline constexpr SurfaceId target_surface = 0;
 
 /// A point where an element may be centred. `clearance` ≤ 0: there is no hole left.
 struct Hole {
@@ -23,14 +20,23 @@ struct Hole {
 /// The thesis's signed distance function (Muhm 2011, III.2): for each voxel's sample point the
 /// distance to the nearest surface, never more than the true one, and whose surface that is;
 /// negative (and of no particular size) outside the target and inside instances.
-/// Memory: 8 bytes a voxel.
+///
+/// A clearance is known between two bounds, which meet where it is exact: it is asked exactly only
+/// where that decides, as it does for a hole to be filled. Memory: 8 bytes a voxel.
 class ClearanceField {
  public:
   /// One block of 8³ voxels, open to change by one thread at a time.
   struct Block {
     glm::ivec3 first_voxel;
-    float* clearance;
-    SurfaceId* nearest;
+    /// No clearance is above this; negative where there is none.
+    float* upper;
+    NearestSurface* nearest;
+  };
+  /// A voxel whose upper bound is the largest.
+  struct Peak {
+    std::size_t block;
+    std::size_t slot;
+    float upper;
   };
 
   /// Samples the target on all threads. Throws Error where the voxels would not fit in memory.
@@ -40,22 +46,23 @@ class ClearanceField {
   /// Number of sample points inside the target.
   [[nodiscard]] std::size_t voxels_inside() const { return voxels_inside_; }
 
-  /// Ties go to the voxel stored first. O(1).
-  [[nodiscard]] Hole largest_hole() const;
+  /// Nothing where no voxel has space left. Ties go to the voxel stored first. O(log n).
+  [[nodiscard]] std::optional<Peak> peak() const;
 
   [[nodiscard]] Block block(std::size_t index);
+  [[nodiscard]] dvec3 sample_point(const Peak& peak) const;
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
-  /// The largest clearance in the block, from its voxels.
+  /// The largest upper bound in the block, from its voxels.
   [[nodiscard]] float scan_block(std::size_t index) const;
 
  private:
   void sample(const Target& target, std::size_t block_index);
 
   VoxelGrid grid_;
-  std::vector<float> clearance_;
-  std::vector<SurfaceId> nearest_;
+  std::vector<float> upper_;
+  std::vector<NearestSurface> nearest_;
   /// A tournament: a node at i is the larger of those at 2i and 2i + 1; the blocks' maxima stand at
   /// leaves_ and on.
   std::vector<float> maxima_;

@@ -1,18 +1,28 @@
 #include "packing/element.h"
 
 namespace collage {
+namespace {
+
+std::optional<ClosestPointIndex> vertex_index(const Mesh& mesh, const Sphere& sphere,
+                                              Distance distance) {
+  if (distance != Distance::vertices) {
+    return std::nullopt;
+  }
+  return std::optional<ClosestPointIndex>(std::in_place,
+                                          in_unit_frame(mesh, sphere.center, sphere.radius),
+                                          ClosestPointIndex::Surface::vertices);
+}
+
+}  // namespace
 
 Element::Element(const Mesh& mesh, Distance distance)
     : Element(mesh, smallest_enclosing_sphere(mesh.positions), distance) {}
 
 Element::Element(const Mesh& mesh, const Sphere& sphere, Distance distance)
     : solid_(mesh, sphere.center, sphere.radius),
+      vertices_(vertex_index(mesh, sphere, distance)),
+      distance_bounds_(distance_index()),
       farthest_direction_(farthest_point(mesh.positions, sphere.center).direction),
-      faces_(mesh.triangles.size()) {
-  if (distance == Distance::vertices) {
-    vertices_.emplace(in_unit_frame(mesh, sphere.center, sphere.radius),
-                      ClosestPointIndex::Surface::vertices);
-  }
-}
+      faces_(mesh.triangles.size()) {}
 
 }  // namespace collage

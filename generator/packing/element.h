@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geometry/bounding_sphere.h"
+#include "geometry/distance_bounds.h"
 #include "geometry/solid.h"
 #include "packing/options.h"
 
@@ -26,6 +27,8 @@ class Element {
   [[nodiscard]] const ClosestPointIndex& distance_index() const {
     return vertices_ ? *vertices_ : solid_.surface();
   }
+  /// Bounds on them.
+  [[nodiscard]] const DistanceBounds& distance_bounds() const { return distance_bounds_; }
 
  private:
   Element(const Mesh& mesh, const Sphere& sphere, Distance distance);
@@ -33,6 +36,7 @@ class Element {
   Solid solid_;
   /// Only where distances are approximated by those to the vertices.
   std::optional<ClosestPointIndex> vertices_;
+  DistanceBounds distance_bounds_;
   dvec3 farthest_direction_;
   std::size_t faces_;
 };

@@ -1,128 +1,208 @@
 #include "packing/pack.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
-#include <glm/gtc/constants.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "packing/orientation.h"
 #include "packing/update.h"
 
 namespace collage {
 namespace {
 
+std::vector<const Element*> elements(std::span<const Ingredient> ingredients) {
+  std::vector<const Element*> list;
+  for (const Ingredient& ingredient : ingredients) {
+    list.push_back(&ingredient.element);
+  }
+  return list;
+}
+
+/// Fills the next largest holes at the same time as long as their footprints do not meet. Whether
+/// they were the next in turn shows only afterwards: one that was not, as an earlier element left a
+/// larger hole, is taken back with all that came after it.
 class Packer {
  public:
   Packer(const Target& target, ClearanceField& field, std::span<const Ingredient> ingredients,
          const PackingOptions& options)
-      : target_(target),
-        field_(field),
-        ingredients_(ingredients),
+      : field_(field),
         options_(options),
         longest_side_(target.box().longest_side()),
-        chooser_(candidates(ingredients), options) {}
+        placer_(ingredients, options, longest_side_),
+        surfaces_(target, elements(ingredients)) {}
 
   Packing run(Status& status);
 
  private:
-  static std::vector<Chooser::Candidate> candidates(std::span<const Ingredient> ingredients) {
-    std::vector<Chooser::Candidate> list;
-    for (const Ingredient& ingredient : ingredients) {
-      list.push_back({ingredient.element.size(), ingredient.scales, ingredient.weight});
-    }
-    return list;
-  }
+  struct Filling {
+    Hole hole;
+    ClearanceField::Peak peak;
+    BlockRange footprint;
+    std::optional<Instance> instance;
+    Update update;
+  };
 
   /// The radius of the ball that an element may take in a hole.
   [[nodiscard]] double room(const Hole& hole) const {
     return hole.clearance - options_.spacing * longest_side_;
   }
-  [[nodiscard]] std::optional<Instance> place(const Hole& hole) const;
-  [[nodiscard]] dvec3 direction_to_surface(const Hole& hole) const;
-  void report(const Hole& hole, double first_room, Status& status) const;
+  [[nodiscard]] double threshold() const { return options_.threshold * longest_side_; }
 
-  const Target& target_;
+  bool find_largest_hole(Filling& filling);
+  void find_holes();
+  void fill_holes();
+  bool accept(Packing& packing);
+  void report(Status& status);
+
   ClearanceField& field_;
-  std::span<const Ingredient> ingredients_;
   const PackingOptions& options_;
   double longest_side_;
-  Chooser chooser_;
-  std::vector<Instance> instances_;
+  Placer placer_;
+  Surfaces surfaces_;
+
+  std::array<Filling, 64> fillings_;
+  std::size_t count_ = 0;
+  double largest_hole_ = 0.0;
+  double first_room_ = 0.0;
+  std::size_t reported_ = 0;
 };
 
 Packing Packer::run(Status& status) {
   Packing packing;
-  Stopwatch total;
-  const double threshold = options_.threshold * longest_side_;
-  Hole hole = field_.largest_hole();
-  const double first_room = room(hole);
-  while (room(hole) >= threshold) {
-    const std::optional<Instance> instance = place(hole);
-    if (!instance) {
-      break;  // every element is larger than the largest hole
-    }
-    instances_.push_back(*instance);
-    Stopwatch updating;
-    packing.voxels_inside_instances +=
-        update(field_, ingredients_[instance->element].element, *instance,
-               static_cast<SurfaceId>(instances_.size()), hole.clearance);
+  const Stopwatch total;
+  find_holes();
+  first_room_ = room(fillings_[0].hole);
+  bool more = true;
+  while (more && count_ > 0) {
+    const Stopwatch updating;
+    fill_holes();
+    more = accept(packing);
     packing.update_seconds += updating.seconds();
-    report(hole, first_room, status);
-    hole = field_.largest_hole();
+    report(status);
+    if (more) {
+      find_holes();
+    }
   }
-  packing.instances = std::move(instances_);
+  packing.instances = std::move(surfaces_.instances);
   packing.voxels = field_.grid().size;
   packing.voxels_inside_target = field_.voxels_inside();
-  packing.largest_hole = std::max(0.0, hole.clearance);
+  packing.largest_hole = std::max(0.0, largest_hole_);
   packing.place_seconds = total.seconds() - packing.update_seconds;
   return packing;
 }
 
-std::optional<Instance> Packer::place(const Hole& hole) const {
-  Rng rng(options_.seed, placement_stream + instances_.size());
-  const std::optional<Choice> choice = chooser_.choose(room(hole), instances_.size(), rng);
-  if (!choice) {
-    return std::nullopt;
+/// False where it is below the threshold.
+bool Packer::find_largest_hole(Filling& filling) {
+  for (;;) {
+    const std::optional<ClearanceField::Peak> peak = field_.peak();
+    if (!peak) {
+      filling.hole = {};
+      return false;
+    }
+    const NearestSurface nearest = field_.block(peak->block).nearest[peak->slot];
+    if (nearest.is_exact()) {
+      filling.peak = *peak;
+      filling.hole = {field_.sample_point(*peak), peak->upper, nearest.id()};
+      return room(filling.hole) >= threshold();
+    }
+    field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak));
   }
-  const Element& element = ingredients_[choice->element].element;
-  const double spin_radians = glm::two_pi<double>() * rng.uniform();
-  Instance instance;
-  instance.element = choice->element;
-  instance.scale = choice->scale;
-  instance.rotation =
-      orientation(element.farthest_direction(), direction_to_surface(hole), spin_radians);
-  instance.translation = hole.center - instance.rotation * (choice->scale * element.center());
-  return instance;
 }
 
-dvec3 Packer::direction_to_surface(const Hole& hole) const {
-  if (hole.nearest == target_surface) {
-    return target_.direction_to_surface(hole.center);
+void Packer::find_holes() {
+  const std::size_t most = tbb::this_task_arena::max_concurrency() == 1 ? 1 : fillings_.size();
+  for (count_ = 0; count_ < most; ++count_) {
+    Filling& next = fillings_[count_];
+    const bool found = find_largest_hole(next);
+    if (count_ == 0) {
+      largest_hole_ = next.hole.clearance;
+    }
+    if (!found) {
+      break;
+    }
+    next.footprint = footprint(field_.grid(), next.hole);
+    const bool meets_another =
+        std::any_of(fillings_.begin(), fillings_.begin() + static_cast<std::ptrdiff_t>(count_),
+                    [&](const Filling& f) { return ranges_meet(f.footprint, next.footprint); });
+    if (meets_another) {
+      break;
+    }
+    field_.set_block_maximum(next.peak.block, -1.0F);  // out of the way of the next
   }
-  const Instance& neighbour = instances_[hole.nearest - 1];
-  const Solid& solid = ingredients_[neighbour.element].element.solid();
-  const dvec3 in_mesh =
-      glm::conjugate(neighbour.rotation) * (hole.center - neighbour.translation) / neighbour.scale;
-  const dvec3 unit = solid.unit_from_mesh(in_mesh);
-  const auto closest = solid.surface().find(unit, std::numeric_limits<double>::infinity());
-  return glm::normalize(neighbour.rotation * (closest->point - unit));
+  for (std::size_t i = 0; i < count_; ++i) {
+    field_.set_block_maximum(fillings_[i].peak.block, fillings_[i].peak.upper);
+  }
+}
+
+void Packer::fill_holes() {
+  const std::size_t first = surfaces_.instances.size();
+  if (first + count_ > most_surfaces) {
+    throw Error(fmt::format("more than {} instances", grouped(most_surfaces)),
+                "raise packing.threshold");
+  }
+  surfaces_.instances.resize(first + count_);
+  tbb::parallel_for(std::size_t{0}, count_, [&](std::size_t i) {
+    Filling& filling = fillings_[i];
+    filling.instance = placer_.place(filling.hole, first + i, surfaces_);
+    if (filling.instance) {
+      surfaces_.instances[first + i] = *filling.instance;
+      update(field_, surfaces_, static_cast<SurfaceId>(first + i + 1), filling.hole,
+             placer_.least_clearance(), filling.update);
+    }
+  });
+}
+
+/// Commits the fillings that were in turn, and undoes the others. False where no element is small
+/// enough for the largest hole.
+bool Packer::accept(Packing& packing) {
+  const std::size_t first = surfaces_.instances.size() - count_;
+  float largest_left = -1.0F;
+  std::size_t accepted = 0;
+  bool fits = true;
+  for (; accepted < count_; ++accepted) {
+    const Filling& filling = fillings_[accepted];
+    if (filling.peak.upper <= largest_left) {
+      break;
+    }
+    largest_hole_ = filling.hole.clearance;
+    if (!filling.instance) {
+      fits = false;
+      break;
+    }
+    commit(field_, filling.update);
+    packing.voxels_inside_instances += filling.update.voxels_flagged;
+    for (const Update::Maximum& maximum : filling.update.maxima) {
+      largest_left = std::max(largest_left, maximum.upper);
+    }
+  }
+  for (std::size_t i = accepted; i < count_; ++i) {
+    if (fillings_[i].instance) {
+      undo(field_, fillings_[i].update);
+    }
+  }
+  surfaces_.instances.resize(first + accepted);
+  return fits;
 }
 
 /// Holes shrink steadily on a scale of logarithms, and each octave of them costs about the same.
-void Packer::report(const Hole& hole, double first_room, Status& status) const {
-  if (instances_.size() % 64 != 1) {
+void Packer::report(Status& status) {
+  const std::size_t placed = surfaces_.instances.size();
+  if (placed < reported_) {
     return;
   }
+  reported_ = placed + 64;
   if (status.stop_requested()) {
     throw Interrupted();
   }
-  const double threshold = options_.threshold * longest_side_;
-  const double fraction = std::log(first_room / room(hole)) / std::log(first_room / threshold);
-  status.update(std::min(fraction, 1.0), fmt::format("{} instances", grouped(instances_.size())));
+  const Hole hole{{}, largest_hole_};
+  const double fraction = std::log(first_room_ / room(hole)) / std::log(first_room_ / threshold());
+  status.update(std::min(fraction, 1.0), fmt::format("{} instances", grouped(placed)));
 }
 
 }  // namespace

@@ -5,22 +5,11 @@
 
 #include "base/status.h"
 #include "geometry/instance.h"
-#include "packing/choose.h"
 #include "packing/clearance_field.h"
-#include "packing/element.h"
 #include "packing/options.h"
+#include "packing/placer.h"
 
 namespace collage {
-
-/// Instance n draws its random numbers from stream `placement_stream` + n.
-inline constexpr std::uint64_t placement_stream = 0x706c6163656d656eULL;
-
-/// An element with what the scene says about its use.
-struct Ingredient {
-  const Element& element;
-  std::vector<double> scales{1.0};
-  double weight = 1.0;
-};
 
 struct Packing {
   std::vector<Instance> instances;

@@ -16,6 +16,11 @@ dvec3 unit_vector(const dvec3& v) {
 
 }  // namespace
 
+void Target::clearances(std::span<const dvec3> points, std::span<double> clearances) const {
+  std::transform(points.begin(), points.end(), clearances.begin(),
+                 [this](const dvec3& point) { return clearance(point); });
+}
+
 MeshTarget::MeshTarget(const Mesh& mesh)
     : box_(bounding_box(mesh)), solid_(mesh, box_.center(), 0.5 * glm::length(box_.extent())) {}
 
@@ -31,12 +36,26 @@ VoxelGrid MeshTarget::voxels(int resolution, double jitter, std::uint64_t seed) 
 }
 
 double MeshTarget::clearance(const dvec3& point) const {
+  std::optional<std::uint32_t> hint;
+  return clearance(point, hint);
+}
+
+/// `hint` is a triangle that may be near, and becomes the nearest.
+double MeshTarget::clearance(const dvec3& point, std::optional<std::uint32_t>& hint) const {
   const dvec3 unit = solid_.unit_from_mesh(point);
   if (!solid_.inside(unit)) {
     return -1.0;
   }
-  const double distance = solid_.surface().find(unit, unbounded)->distance;
-  return std::max(0.0, distance - ClosestPointIndex::error(unit)) * solid_.radius();
+  const auto closest = solid_.surface().find(unit, unbounded, hint);
+  hint = closest->triangle;
+  return std::max(0.0, closest->distance - ClosestPointIndex::error(unit)) * solid_.radius();
+}
+
+void MeshTarget::clearances(std::span<const dvec3> points, std::span<double> clearances) const {
+  std::optional<std::uint32_t> hint;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    clearances[i] = clearance(points[i], hint);
+  }
 }
 
 dvec3 MeshTarget::direction_to_surface(const dvec3& point) const {

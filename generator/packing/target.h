@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "geometry/distance_grid.h"
 #include "geometry/solid.h"
 #include "packing/voxel_grid.h"
@@ -19,6 +22,8 @@ class Target {
                                          std::uint64_t seed) const = 0;
   /// Distance from a point inside to the surface, never more than the true one; negative outside.
   [[nodiscard]] virtual double clearance(const dvec3& point) const = 0;
+  /// The same for many points, faster where each is near the one before it.
+  virtual void clearances(std::span<const dvec3> points, std::span<double> clearances) const;
   /// Unit vector from a point inside to the nearest point of the surface.
   [[nodiscard]] virtual dvec3 direction_to_surface(const dvec3& point) const = 0;
 };
@@ -32,9 +37,12 @@ class MeshTarget : public Target {
   [[nodiscard]] double volume() const override { return solid_.volume(); }
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  void clearances(std::span<const dvec3> points, std::span<double> clearances) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 
  private:
+  [[nodiscard]] double clearance(const dvec3& point, std::optional<std::uint32_t>& hint) const;
+
   Box box_;
   Solid solid_;
 };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "support/exact_packer.h"
 #include "support/meshes.h"
 #include "support/thesis_twin.h"
 
@@ -38,6 +39,30 @@ Result run(const Case& setup) {
   ClearanceField field(target, target.voxels(setup.resolution, 0.5, 1), status);
   result.packing = pack(target, field, ingredients, setup.options, status);
   return result;
+}
+
+/// By exact_pack().
+Packing run_twin(const Case& setup, const std::vector<Element>& elements) {
+  Status status;
+  const MeshTarget target(setup.target_mesh);
+  std::vector<Ingredient> ingredients;
+  for (const Element& element : elements) {
+    ingredients.push_back({element, setup.scales, 1.0});
+  }
+  ClearanceField field(target, target.voxels(setup.resolution, 0.5, 1), status);
+  return test::exact_pack(target, field, ingredients, setup.options);
+}
+
+void expect_same(const Packing& a, const Packing& b) {
+  ASSERT_EQ(a.instances.size(), b.instances.size());
+  for (std::size_t i = 0; i < a.instances.size(); ++i) {
+    ASSERT_EQ(a.instances[i].element, b.instances[i].element);
+    ASSERT_EQ(a.instances[i].scale, b.instances[i].scale);
+    ASSERT_EQ(a.instances[i].rotation, b.instances[i].rotation);
+    ASSERT_EQ(a.instances[i].translation, b.instances[i].translation);
+  }
+  EXPECT_EQ(a.voxels_inside_instances, b.voxels_inside_instances);
+  EXPECT_EQ(a.largest_hole, b.largest_hole);
 }
 
 Case to_hole(double threshold) {
@@ -183,19 +208,29 @@ TEST(Pack, FarthestVertexPointsToTheNearestSurfaceAndTouchesIt) {
   EXPECT_NEAR(target.clearance(p + radius(result, first) * farthest), 0.0, 1e-4);
 }
 
-TEST(Pack, GivesTheSameBytesWhateverTheNumberOfThreads) {
-  const Case setup = to_hole(0.04);
-  std::vector<Packing> packings;
-  for (const std::size_t threads : {1U, 2U, 5U}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    packings.push_back(run(setup).packing);
-  }
-  for (const Packing& packing : packings) {
-    ASSERT_EQ(packing.instances.size(), packings[0].instances.size());
-    for (std::size_t i = 0; i < packing.instances.size(); ++i) {
-      EXPECT_EQ(packing.instances[i].scale, packings[0].instances[i].scale);
-      EXPECT_EQ(packing.instances[i].rotation, packings[0].instances[i].rotation);
-      EXPECT_EQ(packing.instances[i].translation, packings[0].instances[i].translation);
+/// Bounds, exact queries where they decide and holes filled at the same time change nothing.
+TEST(Pack, IsTheSameAsItsExactTwinToTheLastBitWhateverTheNumberOfThreads) {
+  std::vector<Case> cases(5, to_hole(0.03));
+  cases[1].element_meshes.push_back(test::open_box_mesh(dvec3(-1), dvec3(1)));
+  cases[1].options.choose = Choose::alternate;
+  cases[2].options.spacing = 0.01;
+  cases[2].options.choose = Choose::weighted;
+  cases[2].element_meshes.push_back(test::blob_mesh(1.0, 0.3, 6));
+  cases[3].options.distance = Distance::vertices;
+  cases[4].options.scaling = Scaling::fixed;
+  cases[4].options.threshold = 0.01;
+  cases[4].scales = {0.2, 0.07, 0.05};
+  for (Case& setup : cases) {
+    setup.resolution = 48;
+    std::optional<Packing> twin;
+    for (const std::size_t threads : {1U, 2U, 5U}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const Result result = run(setup);
+      if (!twin) {
+        twin = run_twin(setup, result.elements);
+        EXPECT_GT(twin->instances.size(), 100U);
+      }
+      expect_same(result.packing, *twin);
     }
   }
 }

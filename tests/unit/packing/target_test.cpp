@@ -46,7 +46,7 @@ TEST(GridTarget, GivesTheFilesDistancesAndTheirSlope) {
   EXPECT_NEAR(target.volume(), 4.0 / 3.0 * 3.14159 * 8.0, 0.7);
   Status status;
   const ClearanceField field(target, voxels, status);
-  EXPECT_NEAR(field.largest_hole().clearance, 2.0, 0.5);
+  EXPECT_NEAR(field.peak()->upper, 2.0, 0.5);
 }
 
 TEST(ClearanceField, CountsTheVoxelsInside) {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "packing/choose.h"
+#include "packing/clearance_field.h"
+#include "packing/surfaces.h"
+
+namespace collage {
+
+/// Instance n draws its random numbers from stream `placement_stream` + n.
+inline constexpr std::uint64_t placement_stream = 0x706c6163656d656eULL;
+
+/// An element with what the scene says about its use.
+struct Ingredient {
+  const Element& element;
+  std::vector<double> scales{1.0};
+  double weight = 1.0;
+};
+
+/// Chooses an element for a hole and turns it (Muhm 2011, III.3.1 and IV.1).
+class Placer {
+ public:
+  /// `longest_side` is the target's. The ingredients must outlive this.
+  Placer(std::span<const Ingredient> ingredients, const PackingOptions& options,
+         double longest_side);
+
+  /// A hole of less clearance than this stays empty.
+  [[nodiscard]] double least_clearance() const { return least_clearance_; }
+  /// For the hole of instance `index`; nothing where every element is larger than it.
+  [[nodiscard]] std::optional<Instance> place(const Hole& hole, std::size_t index,
+                                              const Surfaces& surfaces) const;
+
+ private:
+  std::span<const Ingredient> ingredients_;
+  Chooser chooser_;
+  std::uint64_t seed_;
+  double spacing_;
+  double least_clearance_;
+};
+
+}  // namespace collage
