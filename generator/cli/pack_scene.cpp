@@ -90,7 +90,9 @@ Workshop::Workshop(const Scene& scene, Status& status) {
     elements[e] = std::make_unique<Element>(element_files[e].mesh, scene.packing.distance);
   });
   for (std::size_t e = 0; e < count; ++e) {
-    ingredients.push_back({*elements[e], scene.elements[e].scales, scene.elements[e].weight});
+    const Scene::Element& wanted = scene.elements[e];
+    ingredients.push_back(
+        {*elements[e], wanted.scales, wanted.weight, wanted.left, wanted.right});
   }
 }
 

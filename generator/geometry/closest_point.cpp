@@ -44,7 +44,7 @@ dvec3 closest_corner(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3
   return squared(c) < squared(ab) ? c : ab;
 }
 
-/// True where the triangle is nearer than the best.
+/// True where the triangle is nearer than the best, or as near and comes before it.
 bool Search::visit(std::uint32_t triangle) {
   const Facet& facet = (*facets)[triangle];
   const dvec3 to_center = facet.center - query;
@@ -56,7 +56,7 @@ bool Search::visit(std::uint32_t triangle) {
                           ? closest_point_on_triangle(query, facet.a, facet.b, facet.c)
                           : closest_corner(query, facet.a, facet.b, facet.c);
   const double distance = glm::distance(query, point);
-  if (distance >= best.distance) {
+  if (distance > best.distance || (distance == best.distance && triangle >= best.triangle)) {
     return false;
   }
   best = {point, distance, triangle};

@@ -11,6 +11,7 @@ struct ClosestPoint {
   dvec3 point{0.0};
   /// From the query to `point`, exact for the stored mesh up to rounding in double.
   double distance = 0.0;
+  /// The first of those that are as near.
   std::uint32_t triangle = 0;
 };
 

@@ -4,10 +4,13 @@
 
 namespace collage {
 
-std::optional<Choice> Chooser::choose(double radius, std::size_t placed, Rng& rng) const {
+std::optional<Choice> Chooser::choose(double radius, std::size_t placed, Rng& rng,
+                                      double across) const {
   std::vector<Choice> fitting;
   for (std::uint32_t e = 0; e < candidates_.size(); ++e) {
-    if (const auto scale = best_scale(candidates_[e], radius)) {
+    const bool here = across >= candidates_[e].left && across <= candidates_[e].right;
+    const auto scale = here ? best_scale(candidates_[e], radius) : std::nullopt;
+    if (scale) {
       fitting.push_back({e, *scale});
     }
   }
@@ -23,6 +26,12 @@ std::optional<Choice> Chooser::choose(double radius, std::size_t placed, Rng& rn
       break;
   }
   return fitting[pick_largest(fitting, rng)];
+}
+
+bool Chooser::fits(double radius) const {
+  return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
+    return best_scale(candidate, radius).has_value();
+  });
 }
 
 /// The largest allowed scale at which the candidate's sphere fits.

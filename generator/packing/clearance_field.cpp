@@ -91,6 +91,11 @@ void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
   }
 }
 
+void ClearanceField::close(const Peak& peak) {
+  block(peak.block).upper[peak.slot] = 0.0F;
+  set_block_maximum(peak.block, scan_block(peak.block));
+}
+
 std::optional<ClearanceField::Peak> ClearanceField::peak() const {
   const float maximum = maxima_[1];
   if (maximum <= 0.0F) {

@@ -54,6 +54,8 @@ class ClearanceField {
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
+  /// Gives up a hole: its voxel has no clearance from now on.
+  void close(const Peak& peak);
   /// The largest upper bound in the block, from its voxels.
   [[nodiscard]] float scan_block(std::size_t index) const;
 

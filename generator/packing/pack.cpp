@@ -34,7 +34,7 @@ class Packer {
       : field_(field),
         options_(options),
         longest_side_(target.box().longest_side()),
-        placer_(ingredients, options, longest_side_),
+        placer_(ingredients, options, target.box()),
         surfaces_(target, elements(ingredients)) {}
 
   Packing run(Status& status);
@@ -172,7 +172,10 @@ bool Packer::accept(Packing& packing) {
     }
     largest_hole_ = filling.hole.clearance;
     if (!filling.instance) {
-      fits = false;
+      fits = placer_.fits_elsewhere(filling.hole);
+      if (fits) {
+        field_.close(filling.peak);
+      }
       break;
     }
     commit(field_, filling.update);

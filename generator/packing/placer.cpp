@@ -13,7 +13,8 @@ namespace {
 std::vector<Chooser::Candidate> candidates(std::span<const Ingredient> ingredients) {
   std::vector<Chooser::Candidate> list;
   for (const Ingredient& ingredient : ingredients) {
-    list.push_back({ingredient.element.size(), ingredient.scales, ingredient.weight});
+    list.push_back({ingredient.element.size(), ingredient.scales, ingredient.weight,
+                    ingredient.left, ingredient.right});
   }
   return list;
 }
@@ -35,18 +36,22 @@ double smallest_size(std::span<const Ingredient> ingredients, Scaling scaling) {
 }  // namespace
 
 Placer::Placer(std::span<const Ingredient> ingredients, const PackingOptions& options,
-               double longest_side)
+               const Box& target_box)
     : ingredients_(ingredients),
       chooser_(candidates(ingredients), options),
       seed_(options.seed),
-      spacing_(options.spacing * longest_side),
-      least_clearance_(spacing_ + std::max(options.threshold * longest_side,
+      left_(target_box.min.x),
+      width_(target_box.extent().x),
+      spacing_(options.spacing * target_box.longest_side()),
+      least_clearance_(spacing_ + std::max(options.threshold * target_box.longest_side(),
                                            smallest_size(ingredients, options.scaling))) {}
 
 std::optional<Instance> Placer::place(const Hole& hole, std::size_t index,
                                       const Surfaces& surfaces) const {
   Rng rng(seed_, placement_stream + index);
-  const std::optional<Choice> choice = chooser_.choose(hole.clearance - spacing_, index, rng);
+  const double across = width_ > 0.0 ? (hole.center.x - left_) / width_ : 0.5;
+  const std::optional<Choice> choice =
+      chooser_.choose(hole.clearance - spacing_, index, rng, across);
   if (!choice) {
     return std::nullopt;
   }

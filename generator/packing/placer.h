@@ -18,25 +18,34 @@ struct Ingredient {
   const Element& element;
   std::vector<double> scales{1.0};
   double weight = 1.0;
+  /// As Chooser::Candidate.
+  double left = 0.0;
+  double right = 1.0;
 };
 
 /// Chooses an element for a hole and turns it (Muhm 2011, III.3.1 and IV.1).
 class Placer {
  public:
-  /// `longest_side` is the target's. The ingredients must outlive this.
+  /// `target_box` is that of its surface. The ingredients must outlive this.
   Placer(std::span<const Ingredient> ingredients, const PackingOptions& options,
-         double longest_side);
+         const Box& target_box);
 
   /// A hole of less clearance than this stays empty.
   [[nodiscard]] double least_clearance() const { return least_clearance_; }
-  /// For the hole of instance `index`; nothing where every element is larger than it.
+  /// For the hole of instance `index`; nothing where every element that may lie there is larger.
   [[nodiscard]] std::optional<Instance> place(const Hole& hole, std::size_t index,
                                               const Surfaces& surfaces) const;
+  /// Whether an element would fit such a hole, were it elsewhere.
+  [[nodiscard]] bool fits_elsewhere(const Hole& hole) const {
+    return chooser_.fits(hole.clearance - spacing_);
+  }
 
  private:
   std::span<const Ingredient> ingredients_;
   Chooser chooser_;
   std::uint64_t seed_;
+  double left_;
+  double width_;
   double spacing_;
   double least_clearance_;
 };

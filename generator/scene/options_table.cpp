@@ -92,6 +92,16 @@ void append_element_options(std::vector<Option>& table) {
                                   .unit = "relative to the other elements",
                                   .help = "how often it is taken where packing.choose is "
                                           "\"weighted\""}));
+  const auto append_side = [&](const char* key, auto field, std::string help) {
+    table.push_back(element_option(key, [=](auto& e) -> auto& { return e.*field; },
+                                   {.minimum = 0,
+                                    .maximum = 1,
+                                    .unit = "a fraction of the target's width, from -x to +x",
+                                    .help = std::move(help)}));
+  };
+  append_side("element.left", &Scene::Element::left,
+              "where the stretch begins that it is placed in, by its centre");
+  append_side("element.right", &Scene::Element::right, "where that stretch ends");
   table.push_back(element_option("element.color", [](auto& e) -> auto& { return e.color; },
                                  {.unit = "in sRGB",
                                   .help = "its colour, in place of the mesh file's materials",

@@ -30,6 +30,8 @@ struct Scene {
     LetterOptions text;
     std::vector<double> scales{1.0};
     double weight = 1.0;
+    double left = 0.0;
+    double right = 1.0;
     /// "#rrggbb" in sRGB; empty: the mesh file's materials.
     std::string color;
     Finish finish = Finish::automatic;

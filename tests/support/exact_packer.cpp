@@ -91,7 +91,7 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
 Packing exact_pack(const Target& target, ClearanceField& field,
                    std::span<const Ingredient> ingredients, const PackingOptions& options) {
   const double longest_side = target.box().longest_side();
-  const Placer placer(ingredients, options, longest_side);
+  const Placer placer(ingredients, options, target.box());
   std::vector<const Element*> elements;
   for (const Ingredient& ingredient : ingredients) {
     elements.push_back(&ingredient.element);
@@ -107,7 +107,11 @@ Packing exact_pack(const Target& target, ClearanceField& field,
     }
     const auto instance = placer.place(hole, surfaces.instances.size(), surfaces);
     if (!instance) {
-      break;
+      if (!placer.fits_elsewhere(hole)) {
+        break;
+      }
+      field.close(*peak);
+      continue;
     }
     surfaces.instances.push_back(*instance);
     packing.voxels_inside_instances += exact_update(

@@ -51,6 +51,18 @@ TEST(ClosestPointIndex, NeverFarFromBruteForceAndNeverNearer) {
   }
 }
 
+/// Which one the hierarchy comes to first depends on the processor's vector instructions.
+TEST(ClosestPointIndex, OfThoseAsNearTakesTheFirst) {
+  Mesh cube = test::box_mesh(dvec3(-0.5), dvec3(0.5));
+  const auto nearest = ClosestPointIndex(cube).find(dvec3(0.0), 2.0);
+  EXPECT_EQ(nearest->triangle, 0U);
+  std::ranges::reverse(cube.triangles);
+  const auto of_reversed = ClosestPointIndex(cube).find(dvec3(0.0), 2.0);
+  EXPECT_EQ(of_reversed->triangle, 0U);
+  EXPECT_EQ(of_reversed->distance, 0.5);
+  EXPECT_NE(of_reversed->point, nearest->point);
+}
+
 TEST(ClosestPointIndex, FindsNothingBeyondTheGivenDistance) {
   const ClosestPointIndex index(test::box_mesh(dvec3(-0.5), dvec3(0.5)));
   EXPECT_FALSE(index.find({0, 0, 0}, 0.5));

@@ -57,6 +57,18 @@ TEST(Chooser, ScalesToTheHole) {
   }
 }
 
+TEST(Chooser, KeepsElementsToTheirStretch) {
+  const Chooser chooser({{1.0, {1.0}, 1.0, 0.0, 0.5}, {1.0, {0.5}, 1.0, 0.4, 1.0}},
+                        options(Scaling::fixed, Choose::largest));
+  Rng rng(1, 0);
+  EXPECT_EQ(chooser.choose(1.0, 0, rng, 0.1)->element, 0U);
+  EXPECT_EQ(chooser.choose(1.0, 0, rng, 0.45)->element, 0U);
+  EXPECT_EQ(chooser.choose(1.0, 0, rng, 0.9)->element, 1U);
+  EXPECT_FALSE(chooser.choose(0.6, 0, rng, 0.1));
+  EXPECT_TRUE(chooser.fits(0.6));
+  EXPECT_FALSE(chooser.fits(0.4));
+}
+
 TEST(Chooser, Alternates) {
   const Chooser chooser({{1.0, {1.0}, 1.0}, {1.0, {1.0}, 1.0}, {1.0, {1.0}, 1.0}},
                         options(Scaling::to_hole, Choose::alternate));

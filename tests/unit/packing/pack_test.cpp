@@ -18,7 +18,18 @@ struct Case {
   PackingOptions options;
   int resolution = 24;
   std::vector<double> scales{1.0};
+  /// Element e lies in the e-th stretch of this width.
+  double stretch = 1.0;
 };
+
+std::vector<Ingredient> ingredients_of(const Case& setup, const std::vector<Element>& elements) {
+  std::vector<Ingredient> ingredients;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const double left = setup.stretch < 1.0 ? setup.stretch * static_cast<double>(e) : 0.0;
+    ingredients.push_back({elements[e], setup.scales, 1.0, left, left + setup.stretch});
+  }
+  return ingredients;
+}
 
 struct Result {
   Packing packing;
@@ -32,10 +43,7 @@ Result run(const Case& setup) {
   for (const Mesh& mesh : setup.element_meshes) {
     result.elements.emplace_back(mesh, setup.options.distance);
   }
-  std::vector<Ingredient> ingredients;
-  for (const Element& element : result.elements) {
-    ingredients.push_back({element, setup.scales, 1.0});
-  }
+  const std::vector<Ingredient> ingredients = ingredients_of(setup, result.elements);
   ClearanceField field(target, target.voxels(setup.resolution, 0.5, 1), status);
   result.packing = pack(target, field, ingredients, setup.options, status);
   return result;
@@ -45,10 +53,7 @@ Result run(const Case& setup) {
 Packing run_twin(const Case& setup, const std::vector<Element>& elements) {
   Status status;
   const MeshTarget target(setup.target_mesh);
-  std::vector<Ingredient> ingredients;
-  for (const Element& element : elements) {
-    ingredients.push_back({element, setup.scales, 1.0});
-  }
+  const std::vector<Ingredient> ingredients = ingredients_of(setup, elements);
   ClearanceField field(target, target.voxels(setup.resolution, 0.5, 1), status);
   return test::exact_pack(target, field, ingredients, setup.options);
 }
@@ -182,6 +187,26 @@ TEST(Pack, FixedScalingUsesTheListedScalesOnly) {
 }
 
 /// The thesis's approximation (V.3): a large face is farther away than it should be.
+TEST(Pack, KeepsElementsToTheirStretchAndGoesOnWhereOneDoesNotFit) {
+  Case setup;
+  setup.options.threshold = 0.03;
+  setup.element_meshes = {test::torus_mesh(1.0, 0.4, 16, 8), test::torus_mesh(0.5, 0.2, 16, 8)};
+  setup.scales = {0.15};
+  setup.stretch = 0.45;  // nothing lies in the rightmost tenth
+  const Result result = run(setup);
+  const Box box = bounding_box(setup.target_mesh);
+  std::map<std::uint32_t, int> counts;
+  for (const Instance& instance : result.packing.instances) {
+    ++counts[instance.element];
+    const double across = (center(result, instance).x - box.min.x) / box.extent().x;
+    EXPECT_GE(across, instance.element == 0 ? 0.0 : 0.45);
+    EXPECT_LE(across, instance.element == 0 ? 0.45 : 0.9);
+  }
+  EXPECT_GT(counts[0], 3);
+  EXPECT_GT(counts[1], counts[0]);
+  expect_same(result.packing, run_twin(setup, result.elements));
+}
+
 TEST(Pack, DistancesToVerticesAloneLetMoreIn) {
   Case setup = to_hole(0.06);
   setup.element_meshes = {test::box_mesh(dvec3(-1), dvec3(1))};
