@@ -1,5 +1,7 @@
 #include "cli/command_line.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <functional>
 #include <new>
@@ -20,6 +22,23 @@ namespace {
 
 enum ExitCode { success = 0, bad_input = 2, outside_program_failed = 3, interrupted = 130 };
 
+/// "640x480".
+std::array<int, 2> parse_size(const std::string& text) {
+  std::array<int, 2> size{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size[0]);
+  const bool has_height = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_height ? std::from_chars(width.ptr + 1, end, size[1]) : width;
+  constexpr int largest_side = 8192;
+  if (!has_height || height.ec != std::errc() || height.ptr != end ||
+      std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > largest_side) {
+    throw CLI::ValidationError(
+        "--size",
+        fmt::format("'{}' is not a size such as 640x480 (sides 1 to {})", text, largest_side));
+  }
+  return size;
+}
+
 /// The arguments of all commands and, once parsed, what is to be run.
 class CommandLine {
  public:
@@ -37,11 +56,14 @@ class CommandLine {
   CLI::App* add(const char* name, const char* help);
   void add_common(CLI::App* command);
   void add_json(CLI::App* command);
+  static void add_scene_options(CLI::App* command, SceneArguments& scene);
+  static void add_size(CLI::App* command, std::array<int, 2>& size);
   void add_scene_command(const char* name, const char* help,
                          int (*runner)(const SceneArguments&, const CommonArguments&, Terminal&));
   CLI::App* add_picture_command(const char* name, const char* help,
                                 int (*runner)(const PictureArguments&, const CommonArguments&,
                                               Terminal&));
+  void add_preview();
   void add_sheet();
   void add_compare();
   void add_export();
@@ -57,6 +79,7 @@ class CommandLine {
   CommonArguments common_;
   SceneArguments scene_;
   PictureArguments picture_;
+  PreviewArguments preview_;
   AuditArguments audit_;
   GalleryArguments gallery_;
   SheetArguments sheet_;
@@ -85,6 +108,7 @@ CommandLine::CommandLine() {
   add_picture_command("turntable", "Render a turntable of a finished folder", run_turntable);
   add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
       ->add_option("--frames", picture_.frames, "Only these frames of the turntable, as 5-12");
+  add_preview();
   add_sheet();
   add_compare();
   add_export();
@@ -111,6 +135,24 @@ void CommandLine::add_json(CLI::App* command) {
       "Print the result as JSON");
 }
 
+void CommandLine::add_scene_options(CLI::App* command, SceneArguments& scene) {
+  command
+      ->add_option("--set", scene.settings,
+                   "Another value for an option of the scene, as packing.threshold=0.01; "
+                   "`collage options` lists them")
+      ->allow_extra_args(false);
+  command->add_option("--seed", scene.seed, "The same as --set packing.seed=…")->type_name("UINT");
+}
+
+void CommandLine::add_size(CLI::App* command, std::array<int, 2>& size) {
+  command
+      ->add_option_function<std::string>(
+          "--size", [&size](const std::string& text) { size = parse_size(text); },
+          "Width and height of a picture in pixels")
+      ->type_name("WxH")
+      ->default_str(fmt::format("{}x{}", size[0], size[1]));
+}
+
 void CommandLine::add_scene_command(const char* name, const char* help,
                                     int (*runner)(const SceneArguments&, const CommonArguments&,
                                                   Terminal&)) {
@@ -118,12 +160,7 @@ void CommandLine::add_scene_command(const char* name, const char* help,
   command->add_option("scene", scene_.scene, "A scene.toml, its folder, or the name of a scene")
       ->required();
   command->add_option("-o,--output", scene_.folder, "Folder to write to; out/<scene> by default");
-  command
-      ->add_option("--set", scene_.settings,
-                   "Another value for an option of the scene, as packing.threshold=0.01; "
-                   "`collage options` lists them")
-      ->allow_extra_args(false);
-  command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…")->type_name("UINT");
+  add_scene_options(command, scene_);
   add_common(command);
   add_json(command);
   command->callback([this, runner] {
@@ -146,6 +183,25 @@ CLI::App* CommandLine::add_picture_command(const char* name, const char* help,
     run_ = [this, runner](Terminal& t) { return runner(picture_, common_, t); };
   });
   return command;
+}
+
+void CommandLine::add_preview() {
+  CLI::App* command =
+      add("preview", "Show a finished folder, or a scene, in seconds and without POV-Ray");
+  command
+      ->add_option("scene", preview_.scene.scene,
+                   "A folder that make or pack has written, or a scene, which is packed first")
+      ->required();
+  command
+      ->add_option("--view", preview_.views,
+                   "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15")
+      ->allow_extra_args(false);
+  add_size(command, preview_.size);
+  command->add_option("-o,--output", preview_.output,
+                      "The picture, .png; by default previews/<view>.png in the folder");
+  add_scene_options(command, preview_.scene);
+  add_common(command);
+  command->callback([this] { run_ = [this](Terminal& t) { return run_preview(preview_, t); }; });
 }
 
 void CommandLine::add_sheet() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -77,6 +78,16 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
                   Terminal& terminal);
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal);
+
+/// Quick pictures of a finished folder, or of a scene that is packed for it.
+struct PreviewArguments {
+  /// Its `scene` may be a finished folder.
+  SceneArguments scene;
+  std::vector<std::string> views;
+  std::array<int, 2> size{640, 480};
+  std::filesystem::path output;
+};
+int run_preview(const PreviewArguments& arguments, Terminal& terminal);
 
 struct SheetArguments {
   std::vector<std::filesystem::path> pictures;

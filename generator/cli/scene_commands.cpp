@@ -7,60 +7,19 @@
 #include "base/file.h"
 #include "cli/audit_folder.h"
 #include "cli/commands.h"
-#include "cli/data_folder.h"
 #include "cli/finished_folder.h"
 #include "cli/gallery.h"
 #include "cli/make_scene.h"
 #include "cli/offenders.h"
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
-#include "scene/scene_file.h"
+#include "cli/scene_arguments.h"
 #include "scene/set_option.h"
 
 namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A scene of the user's, else one of those that come with the program: "scenes/teapot", "teapot".
-fs::path find_scene(const std::string& name) {
-  if (fs::exists(name)) {
-    return name;
-  }
-  const fs::path data = data_folder(data_places());
-  for (const fs::path& path : {data / name, data / "scenes" / name}) {
-    if (fs::exists(path)) {
-      return path;
-    }
-  }
-  throw Error({name}, "no such scene",
-              "name a scene.toml or its folder; `collage scenes` lists those that come along");
-}
-
-Scene read_scene_with(const SceneArguments& arguments) {
-  const MeshLibraries libraries = mesh_libraries();
-  Scene scene = read_scene(find_scene(arguments.scene), libraries);
-  for (const std::string& setting : arguments.settings) {
-    set_option(scene, setting, libraries);
-  }
-  if (!arguments.seed.empty()) {
-    set_option(scene, "packing.seed=" + arguments.seed);
-  }
-  return scene;
-}
-
-/// What made the sculpture, without what has no part in the result (folders, threads).
-std::string command_text(const SceneArguments& arguments, const Scene& scene) {
-  std::string text = "collage pack " + scene.name;
-  for (const std::string& setting : arguments.settings) {
-    text += " --set " + setting;
-  }
-  return arguments.seed.empty() ? text : text + fmt::format(" --seed {}", scene.packing.seed);
-}
-
-fs::path output_folder(const SceneArguments& arguments, const Scene& scene) {
-  return arguments.folder.empty() ? fs::path("out") / scene.name : arguments.folder;
-}
 
 void print_report(const CommonArguments& common, const fs::path& folder, const Report& report) {
   const std::string text = common.output == CommonArguments::Output::json
