@@ -64,6 +64,7 @@ class CommandLine {
                                 int (*runner)(const PictureArguments&, const CommonArguments&,
                                               Terminal&));
   void add_preview();
+  void add_sweep();
   void add_sheet();
   void add_compare();
   void add_export();
@@ -80,6 +81,7 @@ class CommandLine {
   SceneArguments scene_;
   PictureArguments picture_;
   PreviewArguments preview_;
+  SweepArguments sweep_;
   AuditArguments audit_;
   GalleryArguments gallery_;
   SheetArguments sheet_;
@@ -109,6 +111,7 @@ CommandLine::CommandLine() {
   add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
       ->add_option("--frames", picture_.frames, "Only these frames of the turntable, as 5-12");
   add_preview();
+  add_sweep();
   add_sheet();
   add_compare();
   add_export();
@@ -202,6 +205,32 @@ void CommandLine::add_preview() {
   add_scene_options(command, preview_.scene);
   add_common(command);
   command->callback([this] { run_ = [this](Terminal& t) { return run_preview(preview_, t); }; });
+}
+
+void CommandLine::add_sweep() {
+  CLI::App* command =
+      add("sweep", "Pack a scene with all combinations of some values, previewed on one sheet");
+  command
+      ->add_option("scene", sweep_.scene.scene, "A scene.toml, its folder, or the name of a scene")
+      ->required();
+  command
+      ->add_option("--set", sweep_.scene.settings,
+                   "Values to try for an option, as packing.threshold=0.05,0.03,0.02; a list as a "
+                   "value stands in brackets")
+      ->allow_extra_args(false);
+  command->add_option("--seed", sweep_.scene.seed, "Seeds to try, as 1..4 or 1,3,9")
+      ->type_name("UINT..UINT");
+  command->add_option("-o,--output", sweep_.scene.folder,
+                      "Folder to write to; out/<scene>-sweep by default");
+  command->add_option("--view", sweep_.view)->capture_default_str();
+  add_size(command, sweep_.size);
+  command->add_option("--columns", sweep_.columns)
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  add_common(command);
+  add_json(command);
+  command->callback(
+      [this] { run_ = [this](Terminal& t) { return run_sweep(sweep_, common_, t); }; });
 }
 
 void CommandLine::add_sheet() {

@@ -89,6 +89,17 @@ struct PreviewArguments {
 };
 int run_preview(const PreviewArguments& arguments, Terminal& terminal);
 
+/// A scene packed with all combinations of some values, and previewed on one contact sheet.
+struct SweepArguments {
+  /// Its settings may list several values, "packing.threshold=0.05,0.03", its seed several, "1..4".
+  SceneArguments scene;
+  std::string view = "three-quarter";
+  std::array<int, 2> size{480, 360};
+  int columns = 4;
+};
+/// Exit code 1: a combination could not be packed.
+int run_sweep(const SweepArguments& arguments, const CommonArguments& common, Terminal& terminal);
+
 struct SheetArguments {
   std::vector<std::filesystem::path> pictures;
   std::vector<std::string> captions;

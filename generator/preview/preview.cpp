@@ -27,6 +27,8 @@ constexpr float step_off = 4e-5F;
 constexpr float bounce = 0.02F;
 /// How bright a mirror shows what is in the studio.
 constexpr float mirrored_light = 0.4F;
+/// Where less than this would be seen in a mirror, it shows the room and nothing that hides it.
+constexpr float faintest_mirrored = 0.04F;
 
 /// Where the samples lie in a pixel, from its upper left corner.
 constexpr std::array<dvec2, samples_a_pixel> sample_places{
@@ -276,23 +278,33 @@ class Exposure {
                     Light& thrown) const {
     std::array<Ray, lanes> rays;
     std::array<RayHit, lanes> hits;
+    std::array<float, lanes> room;
     std::array<std::size_t, lanes> point_of;
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (mirror[i] > 0.0F) {
-        rays[count] = {points[i].place, glm::reflect(-points[i].toward_eye, points[i].normal)};
-        point_of[count++] = i;
+        const vec3 direction = glm::reflect(-points[i].toward_eye, points[i].normal);
+        room[count] = static_cast<float>(studio_room(direction, shot_.bearing));
+        if (mirror[i] * std::max(room[count], mirrored_light) < faintest_mirrored) {
+          thrown[i] += mirror[i] * room[count] * tint(points[i]);
+        } else {
+          rays[count] = {points[i].place, direction};
+          point_of[count++] = i;
+        }
       }
     }
     studio_.sculpture.closest(std::span(rays).first(count), std::span(hits).first(count));
     for (std::size_t k = 0; k < count; ++k) {
       const Point& point = points[point_of[k]];
       const vec3 seen =
-          hits[k].met() ? mirrored_light * studio_.point(rays[k], hits[k]).color
-                        : vec3(static_cast<float>(studio_room(rays[k].direction, shot_.bearing)));
-      thrown[point_of[k]] +=
-          mirror[point_of[k]] * seen * glm::mix(vec3(1.0F), point.color, point.surface->metal);
+          hits[k].met() ? mirrored_light * studio_.point(rays[k], hits[k]).color : vec3(room[k]);
+      thrown[point_of[k]] += mirror[point_of[k]] * seen * tint(point);
     }
+  }
+
+  /// The colour of highlights and mirror images.
+  static vec3 tint(const Point& point) {
+    return glm::mix(vec3(1.0F), point.color, point.surface->metal);
   }
 
   const Studio& studio_;

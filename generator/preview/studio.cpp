@@ -13,9 +13,9 @@ const dvec3 cool(0.84, 0.92, 1.00);
 constexpr double dome_strength = 0.88;
 constexpr double rim_strength = 0.4;
 
-constexpr int key_side = 4;  // lamps on a side of the square key light
+constexpr int key_lamps = 8;
 constexpr double key_lamp_degrees = 32.0;
-constexpr int dome_lamps = 28;
+constexpr int dome_lamps = 20;
 constexpr double dome_lowest_degrees = -25.0;
 constexpr double dome_nadir = 0.4;  // how bright the lowest are, the highest being 1
 
@@ -66,17 +66,18 @@ const Window key_window{key, 34, 42, 0.12};
 const Window side_window{toward(70, 15), 14, 80, 0.2};
 const Window back_window{rim, 40, 30, 0.4};
 
+/// Spread evenly over a square by the plastic number (Roberts 2018, "R2").
 void add_key(LampParts& parts, const Bearing& bearing) {
   const Across across(key);
   const double reach = std::tan(glm::radians(0.5 * key_lamp_degrees));
-  for (int row = 0; row < key_side; ++row) {
-    for (int column = 0; column < key_side; ++column) {
-      const double x = reach * (2.0 * column / (key_side - 1) - 1.0);
-      const double y = reach * (2.0 * row / (key_side - 1) - 1.0);
-      const dvec3 direction = glm::normalize(key + x * across.side + y * across.over);
-      parts[static_cast<std::size_t>((2 * row + column) % samples_a_pixel)].push_back(
-          {turned(direction, bearing), warm / double{key_side}});
-    }
+  for (int k = 0; k < key_lamps; ++k) {
+    const double x = 0.5 + 0.7548776662466927 * k;
+    const double y = 0.5 + 0.5698402909980532 * k;
+    const dvec3 direction =
+        glm::normalize(key + reach * (2.0 * (x - std::floor(x)) - 1.0) * across.side +
+                       reach * (2.0 * (y - std::floor(y)) - 1.0) * across.over);
+    parts[static_cast<std::size_t>(k % samples_a_pixel)].push_back(
+        {turned(direction, bearing), double{samples_a_pixel} / key_lamps * warm});
   }
 }
 
@@ -98,7 +99,7 @@ void add_dome(LampParts& parts, const Bearing& bearing) {
 }  // namespace
 
 LampParts studio_lamps(const Bearing& bearing) {
-  static_assert(key_side == samples_a_pixel, "a part has one lamp of each row");
+  static_assert(key_lamps % samples_a_pixel == 0 && dome_lamps % samples_a_pixel == 0);
   LampParts parts;
   add_key(parts, bearing);
   add_dome(parts, bearing);
