@@ -54,12 +54,14 @@ class CommandLine {
 
  private:
   CLI::App* add(const char* name, const char* help);
+  static void add_draft(CLI::App* command, Pictures& pictures);
   void add_common(CLI::App* command);
   void add_json(CLI::App* command);
   static void add_scene_options(CLI::App* command, SceneArguments& scene);
   static void add_size(CLI::App* command, std::array<int, 2>& size);
-  void add_scene_command(const char* name, const char* help,
-                         int (*runner)(const SceneArguments&, const CommonArguments&, Terminal&));
+  CLI::App* add_scene_command(const char* name, const char* help,
+                              int (*runner)(const SceneArguments&, const CommonArguments&,
+                                            Terminal&));
   CLI::App* add_picture_command(const char* name, const char* help,
                                 int (*runner)(const PictureArguments&, const CommonArguments&,
                                               Terminal&));
@@ -95,7 +97,8 @@ CommandLine::CommandLine() {
   app_.name("collage");
   app_.require_subcommand(1);
   app_.set_version_flag("--version", std::string("collage ") + version);
-  add_scene_command("make", "Pack a scene and render all that it asks for", run_make);
+  add_draft(add_scene_command("make", "Pack a scene and render all that it asks for", run_make),
+            scene_.pictures);
   add_scene_command("pack", "Pack a scene, without pictures", run_pack);
   CLI::App* still = add_picture_command("still", "Render stills of a finished folder", run_still);
   still
@@ -108,8 +111,12 @@ CommandLine::CommandLine() {
       ->check(CLI::Range(0, 9999));
   still->add_option("-o,--output", picture_.output, "The picture, .png or .exr");
   add_picture_command("turntable", "Render a turntable of a finished folder", run_turntable);
-  add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
-      ->add_option("--frames", picture_.frames, "Only these frames of the turntable, as 5-12");
+  CLI::App* render = add_picture_command(
+      "render", "Render everything or some frames of a finished folder", run_render);
+  CLI::Option* frames = render->add_option("--frames", picture_.frames,
+                                           "Only these frames of the turntable, as 5-12");
+  add_draft(render, picture_.pictures);
+  render->get_option("--draft")->excludes(frames);
   add_preview();
   add_sweep();
   add_sheet();
@@ -120,6 +127,12 @@ CommandLine::CommandLine() {
 
 CLI::App* CommandLine::add(const char* name, const char* help) {
   return app_.add_subcommand(name, help);
+}
+
+void CommandLine::add_draft(CLI::App* command, Pictures& pictures) {
+  command->add_flag_callback(
+      "--draft", [&pictures] { pictures = Pictures::preview; },
+      "Previews in place of POV-Ray's pictures, in the folder draft/");
 }
 
 void CommandLine::add_common(CLI::App* command) {
@@ -156,9 +169,9 @@ void CommandLine::add_size(CLI::App* command, std::array<int, 2>& size) {
       ->default_str(fmt::format("{}x{}", size[0], size[1]));
 }
 
-void CommandLine::add_scene_command(const char* name, const char* help,
-                                    int (*runner)(const SceneArguments&, const CommonArguments&,
-                                                  Terminal&)) {
+CLI::App* CommandLine::add_scene_command(const char* name, const char* help,
+                                         int (*runner)(const SceneArguments&,
+                                                       const CommonArguments&, Terminal&)) {
   CLI::App* command = add(name, help);
   command->add_option("scene", scene_.scene, "A scene.toml, its folder, or the name of a scene")
       ->required();
@@ -169,6 +182,7 @@ void CommandLine::add_scene_command(const char* name, const char* help,
   command->callback([this, runner] {
     run_ = [this, runner](Terminal& t) { return runner(scene_, common_, t); };
   });
+  return command;
 }
 
 CLI::App* CommandLine::add_picture_command(const char* name, const char* help,

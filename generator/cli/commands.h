@@ -30,6 +30,9 @@ struct CommonArguments {
 /// Those asked for, else as many as the machine has.
 int thread_count(const CommonArguments& common);
 
+/// Who makes the pictures: POV-Ray, or the preview, in seconds.
+enum class Pictures { povray, preview };
+
 /// `make` and `pack`.
 struct SceneArguments {
   std::string scene;
@@ -38,6 +41,8 @@ struct SceneArguments {
   std::vector<std::string> settings;
   /// Empty: the scene's own.
   std::string seed;
+  /// Of `make`: who makes the pictures.
+  Pictures pictures = Pictures::povray;
 };
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
@@ -72,6 +77,8 @@ struct PictureArguments {
   std::optional<double> stage;
   std::optional<int> element;
   std::filesystem::path output;
+  /// Of `render`.
+  Pictures pictures = Pictures::povray;
 };
 int run_still(const PictureArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_turntable(const PictureArguments& arguments, const CommonArguments& common,

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "cli/audit_folder.h"
 #include "cli/commands.h"
+#include "cli/draft_outputs.h"
 #include "cli/finished_folder.h"
 #include "cli/gallery.h"
 #include "cli/make_scene.h"
@@ -85,6 +86,24 @@ void require_frames(const PictureArguments& arguments, const Scene& scene) {
   }
 }
 
+/// What `make` does where previews are all that is wanted.
+int make_draft(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  const Scene scene = read_scene_with(arguments);
+  const fs::path folder = output_folder(arguments, scene);
+  const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const FinishedFolder finished = read_finished_folder(folder, terminal);
+  const FolderAudit audit = audit_and_note(folder, finished, terminal);
+  if (!audit.passed()) {
+    std::fputs(audit_text(audit).c_str(), stdout);
+    return answer_no;
+  }
+  SystemRunner runner;
+  const std::vector<fs::path> paths = draft_outputs(folder, finished, scene, runner, terminal);
+  print_report(common, folder, report);
+  print_paths(common, paths);
+  return 0;
+}
+
 }  // namespace
 
 int thread_count(const CommonArguments& common) {
@@ -114,6 +133,9 @@ int run_audit(const AuditArguments& arguments, const CommonArguments& common, Te
 }
 
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  if (arguments.pictures == Pictures::preview) {
+    return make_draft(arguments, common, terminal);
+  }
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
@@ -186,6 +208,12 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal) {
   const Scene scene = finished_scene(arguments);
+  if (arguments.pictures == Pictures::preview) {
+    SystemRunner runner;
+    const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);
+    print_paths(common, draft_outputs(arguments.folder, finished, scene, runner, terminal));
+    return 0;
+  }
   const Renderer renderer(common, terminal);
   if (arguments.frames.empty()) {
     print_paths(common, render_outputs(renderer.tools, arguments.folder, scene));

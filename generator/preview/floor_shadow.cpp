@@ -105,7 +105,7 @@ double FloorShadow::stopped(double x, double z) const {
              stopped_[row + static_cast<std::size_t>(di)];
     }
   }
-  return sum;
+  return std::min(sum, 1.0);  // the weights may add up to a rounding more
 }
 
 }  // namespace collage
