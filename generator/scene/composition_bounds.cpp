@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -49,6 +52,7 @@ class Places {
       const double magnitude = glm::length(center) + glm::length(instance.translation);
       balls_.push_back({center, instance.scale * ball.radius + 1e-12 * magnitude});
     }
+    sort_outermost_first();
   }
 
   /// Calls `visit` with the vertices of each instance whose ball and then a corner of whose box
@@ -57,7 +61,7 @@ class Places {
   /// cannot matter.
   template <class StandsOut, class Visit>
   void for_each_outstanding_vertex(StandsOut stands_out, Visit visit) const {
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
+    for (const std::uint32_t i : order_) {
       if (!stands_out(balls_[i].center, balls_[i].radius)) {
         continue;
       }
@@ -78,9 +82,25 @@ class Places {
     double radius;
   };
 
+  /// So that few of the later ones stand out.
+  void sort_outermost_first() {
+    Box centers;
+    for (const Ball& ball : balls_) {
+      centers.include(ball.center);
+    }
+    std::vector<double> reach;
+    for (const Ball& ball : balls_) {
+      reach.push_back(glm::distance(ball.center, centers.center()) + ball.radius);
+    }
+    order_.resize(balls_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach[i]; });
+  }
+
   const Composition& composition_;
   std::vector<Corners> corners_;
   std::vector<Ball> balls_;
+  std::vector<std::uint32_t> order_;
 };
 
 Box box_of_instances(const Composition& composition, const Places& places) {
