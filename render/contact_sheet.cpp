@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "base/error.h"
 #include "render/lettering.h"
@@ -16,6 +17,15 @@ namespace fs = std::filesystem;
 constexpr float title_grey = 0.16F;
 constexpr float caption_grey = 0.38F;
 
+std::vector<std::string> lines_of(const std::string& caption) {
+  std::vector<std::string> lines;
+  std::istringstream text(caption);
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
 
 /// Where things stand on the page; all lengths in pixels, in proportion to the width of a cell.
@@ -29,13 +39,19 @@ class Grid {
       cell_width = std::max(cell_width, picture.width);
       cell_height = std::max(cell_height, picture.height);
     }
-    has_captions =
-        std::ranges::any_of(captions, [](const auto& picture) { return !picture.caption.empty(); });
+    std::size_t lines = 0;
+    for (const SheetPicture& picture : captions) {
+      lines = std::max(lines, lines_of(picture.caption).size());
+    }
+    has_captions = lines > 0;
     caption_size = std::clamp(rounded(cell_width * 0.042), 10, 28);
     title_size = rounded(caption_size * 1.75);
     gap_ = std::max(8, rounded(cell_width * 0.05));
     margin = std::max(20, rounded(cell_width * 0.13));
-    caption_height_ = has_captions ? rounded(caption_size * 2.4) : 0;
+    line_height = rounded(caption_size * 1.4);
+    caption_height_ =
+        has_captions ? rounded(caption_size * 2.4) + line_height * (static_cast<int>(lines) - 1)
+                     : 0;
     title_height_ = layout.title.empty() ? 0 : rounded(title_size * 1.1) + margin / 2;
   }
 
@@ -44,7 +60,7 @@ class Grid {
   }
   [[nodiscard]] int height() const {
     return 2 * margin + title_height_ + rows_ * (cell_height + caption_height_) +
-           (rows_ - 1) * gap_ - caption_height_ / 3;
+           (rows_ - 1) * gap_ - (has_captions ? rounded(caption_size * 2.4) / 3 : 0);
   }
   [[nodiscard]] int left(std::size_t index) const {
     return margin + static_cast<int>(index) % columns_ * (cell_width + gap_);
@@ -58,6 +74,7 @@ class Grid {
   int cell_width = 1;
   int cell_height = 1;
   int caption_size = 0;
+  int line_height = 0;
   int title_size = 0;
   int margin = 0;
 
@@ -95,10 +112,13 @@ void paste(Picture& page, const Picture& picture, int left, int top) {
 void write_captions(Picture& page, const Grid& grid, const std::vector<SheetPicture>& pictures) {
   const Lettering letters(grid.caption_size);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::string text = letters.fitted(pictures[i].caption, grid.cell_width);
-    const int left = grid.left(i) + (grid.cell_width - letters.width(text)) / 2;
-    const int baseline = grid.top(i) + grid.cell_height + rounded(grid.caption_size * 1.7);
-    letters.write(page, left, baseline, text, caption_grey);
+    int baseline = grid.top(i) + grid.cell_height + rounded(grid.caption_size * 1.7);
+    for (const std::string& line : lines_of(pictures[i].caption)) {
+      const std::string text = letters.fitted(line, grid.cell_width);
+      const int left = grid.left(i) + (grid.cell_width - letters.width(text)) / 2;
+      letters.write(page, left, baseline, text, caption_grey);
+      baseline += grid.line_height;
+    }
   }
 }
 

@@ -8,7 +8,7 @@ namespace collage {
 
 struct SheetPicture {
   std::filesystem::path path;
-  /// UTF-8, one line; shortened with "…" where it is wider than its cell. "": none.
+  /// UTF-8; a line that is wider than its cell is shortened with "…". "": none.
   std::string caption;
 };
 

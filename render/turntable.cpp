@@ -70,15 +70,20 @@ std::vector<fs::path> turntable_frames(const fs::path& folder, int frames) {
   return paths;
 }
 
-RenderCount render_turntable_frames(const RenderTools& tools, const fs::path& folder,
-                                    const Turntable& turntable, FrameRange range) {
+std::vector<PictureJob> turntable_jobs(const fs::path& folder, const Turntable& turntable,
+                                       FrameRange range) {
   check(turntable);
   const std::vector<fs::path> paths = turntable_frames(folder, turntable.frames);
   std::vector<PictureJob> jobs;
   for (int frame = range.first; frame <= range.last; ++frame) {
     jobs.push_back({frame_shot(turntable, frame), paths.at(static_cast<std::size_t>(frame - 1))});
   }
-  return render_pictures(tools, folder, jobs, "frame");
+  return jobs;
+}
+
+RenderCount render_turntable_frames(const RenderTools& tools, const fs::path& folder,
+                                    const Turntable& turntable, FrameRange range) {
+  return render_pictures(tools, folder, turntable_jobs(folder, turntable, range), "frame");
 }
 
 void assemble_turntable(CommandRunner& runner, const fs::path& folder, const Turntable& turntable,

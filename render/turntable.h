@@ -29,6 +29,10 @@ FrameRange parse_frame_range(const std::string& text, int frames);
 std::vector<std::filesystem::path> turntable_frames(const std::filesystem::path& folder,
                                                     int frames);
 
+/// The pictures of those frames.
+std::vector<PictureJob> turntable_jobs(const std::filesystem::path& folder,
+                                       const Turntable& turntable, FrameRange range);
+
 /// Renders frames; see render_pictures() for what is kept, thrown and cleaned up. Several machines
 /// may render ranges of one folder at once.
 RenderCount render_turntable_frames(const RenderTools& tools, const std::filesystem::path& folder,

@@ -1,5 +1,7 @@
 #include "cli/command_line.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <functional>
 #include <new>
@@ -20,6 +22,23 @@ namespace {
 
 enum ExitCode { success = 0, bad_input = 2, outside_program_failed = 3, interrupted = 130 };
 
+/// "640x480".
+std::array<int, 2> parse_size(const std::string& text) {
+  std::array<int, 2> size{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size[0]);
+  const bool has_height = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_height ? std::from_chars(width.ptr + 1, end, size[1]) : width;
+  constexpr int largest_side = 8192;
+  if (!has_height || height.ec != std::errc() || height.ptr != end ||
+      std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > largest_side) {
+    throw CLI::ValidationError(
+        "--size",
+        fmt::format("'{}' is not a size such as 640x480 (sides 1 to {})", text, largest_side));
+  }
+  return size;
+}
+
 /// The arguments of all commands and, once parsed, what is to be run.
 class CommandLine {
  public:
@@ -35,13 +54,19 @@ class CommandLine {
 
  private:
   CLI::App* add(const char* name, const char* help);
+  static void add_draft(CLI::App* command, Pictures& pictures);
   void add_common(CLI::App* command);
   void add_json(CLI::App* command);
-  void add_scene_command(const char* name, const char* help,
-                         int (*runner)(const SceneArguments&, const CommonArguments&, Terminal&));
+  static void add_scene_options(CLI::App* command, SceneArguments& scene);
+  static void add_size(CLI::App* command, std::array<int, 2>& size);
+  CLI::App* add_scene_command(const char* name, const char* help,
+                              int (*runner)(const SceneArguments&, const CommonArguments&,
+                                            Terminal&));
   CLI::App* add_picture_command(const char* name, const char* help,
                                 int (*runner)(const PictureArguments&, const CommonArguments&,
                                               Terminal&));
+  void add_preview();
+  void add_sweep();
   void add_sheet();
   void add_compare();
   void add_export();
@@ -57,6 +82,8 @@ class CommandLine {
   CommonArguments common_;
   SceneArguments scene_;
   PictureArguments picture_;
+  PreviewArguments preview_;
+  SweepArguments sweep_;
   AuditArguments audit_;
   GalleryArguments gallery_;
   SheetArguments sheet_;
@@ -70,7 +97,8 @@ CommandLine::CommandLine() {
   app_.name("collage");
   app_.require_subcommand(1);
   app_.set_version_flag("--version", std::string("collage ") + version);
-  add_scene_command("make", "Pack a scene and render all that it asks for", run_make);
+  add_draft(add_scene_command("make", "Pack a scene and render all that it asks for", run_make),
+            scene_.pictures);
   add_scene_command("pack", "Pack a scene, without pictures", run_pack);
   CLI::App* still = add_picture_command("still", "Render stills of a finished folder", run_still);
   still
@@ -83,8 +111,14 @@ CommandLine::CommandLine() {
       ->check(CLI::Range(0, 9999));
   still->add_option("-o,--output", picture_.output, "The picture, .png or .exr");
   add_picture_command("turntable", "Render a turntable of a finished folder", run_turntable);
-  add_picture_command("render", "Render everything or some frames of a finished folder", run_render)
-      ->add_option("--frames", picture_.frames, "Only these frames of the turntable, as 5-12");
+  CLI::App* render = add_picture_command(
+      "render", "Render everything or some frames of a finished folder", run_render);
+  CLI::Option* frames = render->add_option("--frames", picture_.frames,
+                                           "Only these frames of the turntable, as 5-12");
+  add_draft(render, picture_.pictures);
+  render->get_option("--draft")->excludes(frames);
+  add_preview();
+  add_sweep();
   add_sheet();
   add_compare();
   add_export();
@@ -93,6 +127,12 @@ CommandLine::CommandLine() {
 
 CLI::App* CommandLine::add(const char* name, const char* help) {
   return app_.add_subcommand(name, help);
+}
+
+void CommandLine::add_draft(CLI::App* command, Pictures& pictures) {
+  command->add_flag_callback(
+      "--draft", [&pictures] { pictures = Pictures::preview; },
+      "Previews in place of POV-Ray's pictures, in the folder draft/");
 }
 
 void CommandLine::add_common(CLI::App* command) {
@@ -111,24 +151,38 @@ void CommandLine::add_json(CLI::App* command) {
       "Print the result as JSON");
 }
 
-void CommandLine::add_scene_command(const char* name, const char* help,
-                                    int (*runner)(const SceneArguments&, const CommonArguments&,
-                                                  Terminal&)) {
+void CommandLine::add_scene_options(CLI::App* command, SceneArguments& scene) {
+  command
+      ->add_option("--set", scene.settings,
+                   "Another value for an option of the scene, as packing.threshold=0.01; "
+                   "`collage options` lists them")
+      ->allow_extra_args(false);
+  command->add_option("--seed", scene.seed, "The same as --set packing.seed=…")->type_name("UINT");
+}
+
+void CommandLine::add_size(CLI::App* command, std::array<int, 2>& size) {
+  command
+      ->add_option_function<std::string>(
+          "--size", [&size](const std::string& text) { size = parse_size(text); },
+          "Width and height of a picture in pixels")
+      ->type_name("WxH")
+      ->default_str(fmt::format("{}x{}", size[0], size[1]));
+}
+
+CLI::App* CommandLine::add_scene_command(const char* name, const char* help,
+                                         int (*runner)(const SceneArguments&,
+                                                       const CommonArguments&, Terminal&)) {
   CLI::App* command = add(name, help);
   command->add_option("scene", scene_.scene, "A scene.toml, its folder, or the name of a scene")
       ->required();
   command->add_option("-o,--output", scene_.folder, "Folder to write to; out/<scene> by default");
-  command
-      ->add_option("--set", scene_.settings,
-                   "Another value for an option of the scene, as packing.threshold=0.01; "
-                   "`collage options` lists them")
-      ->allow_extra_args(false);
-  command->add_option("--seed", scene_.seed, "The same as --set packing.seed=…")->type_name("UINT");
+  add_scene_options(command, scene_);
   add_common(command);
   add_json(command);
   command->callback([this, runner] {
     run_ = [this, runner](Terminal& t) { return runner(scene_, common_, t); };
   });
+  return command;
 }
 
 CLI::App* CommandLine::add_picture_command(const char* name, const char* help,
@@ -146,6 +200,51 @@ CLI::App* CommandLine::add_picture_command(const char* name, const char* help,
     run_ = [this, runner](Terminal& t) { return runner(picture_, common_, t); };
   });
   return command;
+}
+
+void CommandLine::add_preview() {
+  CLI::App* command =
+      add("preview", "Show a finished folder, or a scene, in seconds and without POV-Ray");
+  command
+      ->add_option("scene", preview_.scene.scene,
+                   "A folder that make or pack has written, or a scene, which is packed first")
+      ->required();
+  command
+      ->add_option("--view", preview_.views,
+                   "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15")
+      ->allow_extra_args(false);
+  add_size(command, preview_.size);
+  command->add_option("-o,--output", preview_.output,
+                      "The picture, .png; by default previews/<view>.png in the folder");
+  add_scene_options(command, preview_.scene);
+  add_common(command);
+  command->callback([this] { run_ = [this](Terminal& t) { return run_preview(preview_, t); }; });
+}
+
+void CommandLine::add_sweep() {
+  CLI::App* command =
+      add("sweep", "Pack a scene with all combinations of some values, previewed on one sheet");
+  command
+      ->add_option("scene", sweep_.scene.scene, "A scene.toml, its folder, or the name of a scene")
+      ->required();
+  command
+      ->add_option("--set", sweep_.scene.settings,
+                   "Values to try for an option, as packing.threshold=0.05,0.03,0.02; a list as a "
+                   "value stands in brackets")
+      ->allow_extra_args(false);
+  command->add_option("--seed", sweep_.scene.seed, "Seeds to try, as 1..4 or 1,3,9")
+      ->type_name("UINT..UINT");
+  command->add_option("-o,--output", sweep_.scene.folder,
+                      "Folder to write to; out/<scene>-sweep by default");
+  command->add_option("--view", sweep_.view)->capture_default_str();
+  add_size(command, sweep_.size);
+  command->add_option("--columns", sweep_.columns)
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  add_common(command);
+  add_json(command);
+  command->callback(
+      [this] { run_ = [this](Terminal& t) { return run_sweep(sweep_, common_, t); }; });
 }
 
 void CommandLine::add_sheet() {

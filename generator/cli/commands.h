@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -29,6 +30,9 @@ struct CommonArguments {
 /// Those asked for, else as many as the machine has.
 int thread_count(const CommonArguments& common);
 
+/// Who makes the pictures: POV-Ray, or the preview, in seconds.
+enum class Pictures { povray, preview };
+
 /// `make` and `pack`.
 struct SceneArguments {
   std::string scene;
@@ -37,6 +41,8 @@ struct SceneArguments {
   std::vector<std::string> settings;
   /// Empty: the scene's own.
   std::string seed;
+  /// Of `make`: who makes the pictures.
+  Pictures pictures = Pictures::povray;
 };
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
@@ -71,12 +77,35 @@ struct PictureArguments {
   std::optional<double> stage;
   std::optional<int> element;
   std::filesystem::path output;
+  /// Of `render`.
+  Pictures pictures = Pictures::povray;
 };
 int run_still(const PictureArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
                   Terminal& terminal);
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal);
+
+/// Quick pictures of a finished folder, or of a scene that is packed for it.
+struct PreviewArguments {
+  /// Its `scene` may be a finished folder.
+  SceneArguments scene;
+  std::vector<std::string> views;
+  std::array<int, 2> size{640, 480};
+  std::filesystem::path output;
+};
+int run_preview(const PreviewArguments& arguments, Terminal& terminal);
+
+/// A scene packed with all combinations of some values, and previewed on one contact sheet.
+struct SweepArguments {
+  /// Its settings may list several values, "packing.threshold=0.05,0.03", its seed several, "1..4".
+  SceneArguments scene;
+  std::string view = "three-quarter";
+  std::array<int, 2> size{480, 360};
+  int columns = 4;
+};
+/// Exit code 1: a combination could not be packed.
+int run_sweep(const SweepArguments& arguments, const CommonArguments& common, Terminal& terminal);
 
 struct SheetArguments {
   std::vector<std::filesystem::path> pictures;

@@ -91,8 +91,7 @@ Workshop::Workshop(const Scene& scene, Status& status) {
   });
   for (std::size_t e = 0; e < count; ++e) {
     const Scene::Element& wanted = scene.elements[e];
-    ingredients.push_back(
-        {*elements[e], wanted.scales, wanted.weight, wanted.left, wanted.right});
+    ingredients.push_back({*elements[e], wanted.scales, wanted.weight, wanted.left, wanted.right});
   }
 }
 

@@ -67,26 +67,35 @@ std::vector<fs::path> render_stills(const RenderTools& tools, const fs::path& fo
   return paths;
 }
 
-fs::path render_stage_sheet(const RenderTools& tools, const fs::path& folder, const Scene& scene) {
+std::vector<PictureJob> stage_jobs(const fs::path& folder, const Scene& scene) {
   std::vector<PictureJob> jobs;
-  std::vector<SheetPicture> pictures;
   for (const double share : scene.contact_sheet.stages) {
     Shot shot = still_shot(scene, "three-quarter");
     shot.width = scene.contact_sheet.size[0];
     shot.height = scene.contact_sheet.size[1];
     shot.quality = parse_quality(scene.contact_sheet.quality);
     shot.stage = share;
-    const fs::path path = folder / "stages" / fmt::format("stage-{}.png", jobs.size() + 1);
-    jobs.push_back({shot, path});
-    pictures.push_back({path, percent(share)});
+    jobs.push_back({shot, folder / "stages" / fmt::format("stage-{}.png", jobs.size() + 1)});
   }
-  render_pictures(tools, folder, jobs, "stage");
+  return jobs;
+}
+
+fs::path write_stage_sheet(const fs::path& folder, const Scene& scene) {
+  std::vector<SheetPicture> pictures;
+  for (const PictureJob& job : stage_jobs(folder, scene)) {
+    pictures.push_back({job.output, percent(job.shot.stage)});
+  }
   SheetLayout layout = layout_of(scene, scene.contact_sheet.size);
   layout.columns = std::min(layout.columns, static_cast<int>(pictures.size()));
   layout.title = scene.name + " · stages of the assembly";
   fs::path sheet = folder / "sheets" / "stages.png";
   write_contact_sheet(pictures, layout, sheet);
   return sheet;
+}
+
+fs::path render_stage_sheet(const RenderTools& tools, const fs::path& folder, const Scene& scene) {
+  render_pictures(tools, folder, stage_jobs(folder, scene), "stage");
+  return write_stage_sheet(folder, scene);
 }
 
 std::vector<fs::path> films(const fs::path& folder) {

@@ -24,6 +24,11 @@ std::vector<std::filesystem::path> render_stills(const RenderTools& tools,
                                                  const std::filesystem::path& folder,
                                                  const Scene& scene);
 
+/// The pictures of the stages of the assembly (Muhm 2011, Fig. 10), and their sheet,
+/// sheets/stages.png.
+std::vector<PictureJob> stage_jobs(const std::filesystem::path& folder, const Scene& scene);
+std::filesystem::path write_stage_sheet(const std::filesystem::path& folder, const Scene& scene);
+
 /// Renders the stages of the assembly (Muhm 2011, Fig. 10) and lays them out on sheets/stages.png.
 std::filesystem::path render_stage_sheet(const RenderTools& tools,
                                          const std::filesystem::path& folder, const Scene& scene);

@@ -7,60 +7,20 @@
 #include "base/file.h"
 #include "cli/audit_folder.h"
 #include "cli/commands.h"
-#include "cli/data_folder.h"
+#include "cli/draft_outputs.h"
 #include "cli/finished_folder.h"
 #include "cli/gallery.h"
 #include "cli/make_scene.h"
 #include "cli/offenders.h"
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
-#include "scene/scene_file.h"
+#include "cli/scene_arguments.h"
 #include "scene/set_option.h"
 
 namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A scene of the user's, else one of those that come with the program: "scenes/teapot", "teapot".
-fs::path find_scene(const std::string& name) {
-  if (fs::exists(name)) {
-    return name;
-  }
-  const fs::path data = data_folder(data_places());
-  for (const fs::path& path : {data / name, data / "scenes" / name}) {
-    if (fs::exists(path)) {
-      return path;
-    }
-  }
-  throw Error({name}, "no such scene",
-              "name a scene.toml or its folder; `collage scenes` lists those that come along");
-}
-
-Scene read_scene_with(const SceneArguments& arguments) {
-  const MeshLibraries libraries = mesh_libraries();
-  Scene scene = read_scene(find_scene(arguments.scene), libraries);
-  for (const std::string& setting : arguments.settings) {
-    set_option(scene, setting, libraries);
-  }
-  if (!arguments.seed.empty()) {
-    set_option(scene, "packing.seed=" + arguments.seed);
-  }
-  return scene;
-}
-
-/// What made the sculpture, without what has no part in the result (folders, threads).
-std::string command_text(const SceneArguments& arguments, const Scene& scene) {
-  std::string text = "collage pack " + scene.name;
-  for (const std::string& setting : arguments.settings) {
-    text += " --set " + setting;
-  }
-  return arguments.seed.empty() ? text : text + fmt::format(" --seed {}", scene.packing.seed);
-}
-
-fs::path output_folder(const SceneArguments& arguments, const Scene& scene) {
-  return arguments.folder.empty() ? fs::path("out") / scene.name : arguments.folder;
-}
 
 void print_report(const CommonArguments& common, const fs::path& folder, const Report& report) {
   const std::string text = common.output == CommonArguments::Output::json
@@ -126,6 +86,24 @@ void require_frames(const PictureArguments& arguments, const Scene& scene) {
   }
 }
 
+/// What `make` does where previews are all that is wanted.
+int make_draft(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  const Scene scene = read_scene_with(arguments);
+  const fs::path folder = output_folder(arguments, scene);
+  const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const FinishedFolder finished = read_finished_folder(folder, terminal);
+  const FolderAudit audit = audit_and_note(folder, finished, terminal);
+  if (!audit.passed()) {
+    std::fputs(audit_text(audit).c_str(), stdout);
+    return answer_no;
+  }
+  SystemRunner runner;
+  const std::vector<fs::path> paths = draft_outputs(folder, finished, scene, runner, terminal);
+  print_report(common, folder, report);
+  print_paths(common, paths);
+  return 0;
+}
+
 }  // namespace
 
 int thread_count(const CommonArguments& common) {
@@ -155,6 +133,9 @@ int run_audit(const AuditArguments& arguments, const CommonArguments& common, Te
 }
 
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
+  if (arguments.pictures == Pictures::preview) {
+    return make_draft(arguments, common, terminal);
+  }
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
@@ -227,6 +208,12 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal) {
   const Scene scene = finished_scene(arguments);
+  if (arguments.pictures == Pictures::preview) {
+    SystemRunner runner;
+    const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);
+    print_paths(common, draft_outputs(arguments.folder, finished, scene, runner, terminal));
+    return 0;
+  }
   const Renderer renderer(common, terminal);
   if (arguments.frames.empty()) {
     print_paths(common, render_outputs(renderer.tools, arguments.folder, scene));

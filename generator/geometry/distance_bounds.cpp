@@ -65,8 +65,8 @@ DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>&
     for (at.y = 0; at.y <= cells; ++at.y) {
       for (at.x = 0; at.x <= cells; ++at.x) {
         const dvec3 point = side * dvec3(at) - static_cast<double>(half_side);
-        concave_.push_back(static_cast<float>(node(at).squared_distance -
-                                              glm::dot(point, point) - rounding));
+        concave_.push_back(
+            static_cast<float>(node(at).squared_distance - glm::dot(point, point) - rounding));
       }
     }
   }

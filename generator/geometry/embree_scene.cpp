@@ -3,21 +3,27 @@
 #include <algorithm>
 #include <new>
 
+#include <tbb/task_arena.h>
+
 namespace collage {
 
 RTCDevice embree_device() {
-  static const RTCDevice instance = rtcNewDevice("threads=1,set_affinity=0");
+  // Not "threads=1": that limits oneTBB in the whole process.
+  static const RTCDevice instance = rtcNewDevice("set_affinity=0");
   return instance;
 }
 
-EmbreeScene::EmbreeScene(RTCGeometry geometry, RTCSceneFlags flags)
+EmbreeScene::EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags)
     : scene_(rtcNewScene(embree_device())) {
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_, geometry);
-  rtcReleaseGeometry(geometry);
+  for (unsigned id = 0; id < geometries.size(); ++id) {
+    rtcCommitGeometry(geometries[id]);
+    rtcAttachGeometryByID(scene_, geometries[id], id);
+    rtcReleaseGeometry(geometries[id]);
+  }
   rtcSetSceneFlags(scene_, flags);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-  rtcCommitScene(scene_);
+  tbb::task_arena one_thread(1);
+  one_thread.execute([this] { rtcCommitScene(scene_); });
 }
 
 bool EmbreeScene::occluded(RTCRay ray) const {

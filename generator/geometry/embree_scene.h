@@ -6,19 +6,24 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <span>
+
 #include "geometry/mesh.h"
 
 namespace collage {
 
-/// One device for the process. Hierarchies are built on one thread, so that they, and with them the
-/// choice between equally near triangles, do not depend on the number of threads.
+/// One device for the process.
 RTCDevice embree_device();
 
-/// An Embree scene of one geometry.
+/// An Embree scene.
 class EmbreeScene {
  public:
-  /// Takes the geometry over and builds the hierarchy.
-  EmbreeScene(RTCGeometry geometry, RTCSceneFlags flags);
+  /// Takes the geometries over, numbers them from 0 and builds the hierarchy; on one thread, so
+  /// that it, and with it the choice between equally near triangles, does not depend on their
+  /// number.
+  EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags);
+  EmbreeScene(RTCGeometry geometry, RTCSceneFlags flags)
+      : EmbreeScene(std::span(&geometry, 1), flags) {}
   ~EmbreeScene() { rtcReleaseScene(scene_); }
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;

@@ -80,8 +80,8 @@ class Newcomer {
 /// Updates the voxels of one block.
 class BlockUpdate {
  public:
-  BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Newcomer& newcomer,
-              double useless)
+  BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
+              const Newcomer& newcomer, double useless)
       : field_(field),
         surfaces_(surfaces),
         id_(id),

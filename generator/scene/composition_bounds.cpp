@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -32,53 +35,101 @@ void for_each_vertex(const Mesh& mesh, Visit visit) {
   }
 }
 
-/// Calls `visit` with the vertices of the props, and of each instance that has a corner for which
-/// `stands_out`. As that and `visit` measure something convex, the others' vertices cannot matter.
-template <class StandsOut, class Visit>
-void for_each_outstanding_vertex(const Composition& composition, StandsOut stands_out,
-                                 Visit visit) {
-  for (const Composition::Element& prop : composition.props) {
-    for_each_vertex(prop.mesh, visit);
+/// Where each instance is, for bounds_of() to look at few of them closely.
+class Places {
+ public:
+  explicit Places(const Composition& composition) : composition_(composition) {
+    std::vector<Ball> of_element;
+    for (const Composition::Element& element : composition.elements) {
+      const Box box = bounding_box(element.mesh);
+      corners_.push_back(corners_of(box));
+      of_element.push_back({box.center(), 0.5 * glm::length(box.extent())});
+    }
+    balls_.reserve(composition.instances.size());
+    for (const Instance& instance : composition.instances) {
+      const Ball& ball = of_element[instance.element];
+      const dvec3 center = instance.world_from_element(ball.center);
+      const double magnitude = glm::length(center) + glm::length(instance.translation);
+      balls_.push_back({center, instance.scale * ball.radius + 1e-12 * magnitude});
+    }
+    sort_outermost_first();
   }
-  std::vector<Corners> corners;
-  for (const Composition::Element& element : composition.elements) {
-    corners.push_back(corners_of(bounding_box(element.mesh)));
-  }
-  for (const Instance& instance : composition.instances) {
-    const Corners& of_element = corners[instance.element];
-    if (std::any_of(of_element.begin(), of_element.end(), [&](const dvec3& corner) {
-          return stands_out(instance.world_from_element(corner));
-        })) {
-      for_each_vertex(composition.elements[instance.element].mesh,
-                      [&](const dvec3& vertex) { visit(instance.world_from_element(vertex)); });
+
+  /// Calls `visit` with the vertices of the props, and of each instance whose ball and then a
+  /// corner of whose box `stands_out`: that is asked whether a point is outside of what has been
+  /// found, or within a distance of being so. As that and `visit` measure something convex, the
+  /// others' vertices cannot matter.
+  template <class StandsOut, class Visit>
+  void for_each_outstanding_vertex(StandsOut stands_out, Visit visit) const {
+    for (const Composition::Element& prop : composition_.props) {
+      for_each_vertex(prop.mesh, visit);
+    }
+    for (const std::uint32_t i : order_) {
+      if (!stands_out(balls_[i].center, balls_[i].radius)) {
+        continue;
+      }
+      const Instance& instance = composition_.instances[i];
+      if (std::ranges::any_of(corners_[instance.element], [&](const dvec3& corner) {
+            return stands_out(instance.world_from_element(corner), 0.0);
+          })) {
+        for_each_vertex(composition_.elements[instance.element].mesh,
+                        [&](const dvec3& vertex) { visit(instance.world_from_element(vertex)); });
+      }
     }
   }
-}
+
+ private:
+  /// Holds the box of an instance.
+  struct Ball {
+    dvec3 center;
+    double radius;
+  };
+
+  /// So that few of the later ones stand out.
+  void sort_outermost_first() {
+    Box centers;
+    for (const Ball& ball : balls_) {
+      centers.include(ball.center);
+    }
+    std::vector<double> reach;
+    for (const Ball& ball : balls_) {
+      reach.push_back(glm::distance(ball.center, centers.center()) + ball.radius);
+    }
+    order_.resize(balls_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach[i]; });
+  }
+
+  const Composition& composition_;
+  std::vector<Corners> corners_;
+  std::vector<Ball> balls_;
+  std::vector<std::uint32_t> order_;
+};
 
 bool shows_nothing(const Composition& composition) {
   return composition.instances.empty() && composition.props.empty();
 }
 
-Box box_of_shown(const Composition& composition) {
+Box box_of_shown(const Composition& composition, const Places& places) {
   Box box;
-  for_each_outstanding_vertex(
-      composition,
-      [&](const dvec3& p) {
-        return glm::any(glm::lessThan(p, box.min)) || glm::any(glm::greaterThan(p, box.max));
+  places.for_each_outstanding_vertex(
+      [&](const dvec3& p, double within) {
+        return glm::any(glm::lessThan(p - within, box.min)) ||
+               glm::any(glm::greaterThan(p + within, box.max));
       },
       [&](const dvec3& p) { box.include(p); });
   return shows_nothing(composition) ? composition.target_box : box;
 }
 
-double radius_round(const dvec3& axis, const Composition& composition) {
+double radius_round(const dvec3& axis, const Composition& composition, const Places& places) {
   const auto distance = [&](const dvec3& p) { return std::hypot(p.x - axis.x, p.z - axis.z); };
   double radius = 0.0;
   const auto include = [&](const dvec3& p) { radius = std::max(radius, distance(p)); };
   if (composition.target != nullptr) {
     for_each_vertex(*composition.target, include);
   }
-  for_each_outstanding_vertex(
-      composition, [&](const dvec3& p) { return distance(p) > radius; }, include);
+  places.for_each_outstanding_vertex(
+      [&](const dvec3& p, double within) { return distance(p) + within > radius; }, include);
   return radius;
 }
 
@@ -102,9 +153,11 @@ std::vector<dvec3> outline_of(VisitPoints visit_points) {
   for (const dvec3& direction : directions()) {
     double distance = -std::numeric_limits<double>::infinity();
     dvec3 farthest(0.0);
-    const auto stands_out = [&](const dvec3& p) { return glm::dot(p, direction) > distance; };
+    const auto stands_out = [&](const dvec3& p, double within) {
+      return glm::dot(p, direction) + within > distance;
+    };
     visit_points(stands_out, [&](const dvec3& p) {
-      if (stands_out(p)) {
+      if (stands_out(p, 0.0)) {
         distance = glm::dot(p, direction);
         farthest = p;
       }
@@ -117,20 +170,21 @@ std::vector<dvec3> outline_of(VisitPoints visit_points) {
 }  // namespace
 
 CompositionBounds bounds_of(const Composition& composition) {
+  const Places places(composition);
   CompositionBounds bounds;
-  bounds.shown = box_of_shown(composition);
+  bounds.shown = box_of_shown(composition, places);
   Box both = bounds.shown;
   if (composition.target != nullptr) {
     both.include(composition.target_box.min);
     both.include(composition.target_box.max);
   }
-  bounds.radius = radius_round(both.center(), composition);
+  bounds.radius = radius_round(both.center(), composition, places);
   const Corners corners = corners_of(composition.target_box);
   bounds.outline = {corners.begin(), corners.end()};
   bounds.target_outline = bounds.outline;
   if (!shows_nothing(composition)) {
     bounds.outline = outline_of([&](auto stands_out, auto visit) {
-      for_each_outstanding_vertex(composition, stands_out, visit);
+      places.for_each_outstanding_vertex(stands_out, visit);
     });
   }
   if (composition.target != nullptr) {

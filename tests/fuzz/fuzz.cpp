@@ -12,9 +12,9 @@ namespace fs = std::filesystem;
 
 /// In memory where the system has such a place; goes with the process.
 struct Folder {
-  fs::path path = (fs::is_directory("/dev/shm") ? fs::path("/dev/shm")
-                                                : fs::temp_directory_path()) /
-                  ("collage-fuzz-" + std::to_string(::getpid()));
+  fs::path path =
+      (fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path()) /
+      ("collage-fuzz-" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path); }
   ~Folder() {
     std::error_code ignored;

@@ -28,11 +28,12 @@ void accepting_errors(Action action) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 /// Defines the target: a function of the input's bytes.
-#define COLLAGE_FUZZ_TARGET(input)                                                     \
-  static void fuzz_one(std::string_view input);                                        \
-  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  \
-    collage::fuzz::accepting_errors(                                                   \
-        [&] { fuzz_one({reinterpret_cast<const char*>(data), size}); });               \
-    return 0;                                                                          \
-  }                                                                                    \
+#define COLLAGE_FUZZ_TARGET(input)                                                    \
+  static void fuzz_one(std::string_view input);                                       \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { \
+    collage::fuzz::accepting_errors([&] {                                             \
+      fuzz_one({reinterpret_cast<const char*>(data), size});                          \
+    });                                                                               \
+    return 0;                                                                         \
+  }                                                                                   \
   static void fuzz_one(std::string_view input)

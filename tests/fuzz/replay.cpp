@@ -21,7 +21,8 @@ void feed(const std::string& bytes) {
 /// Flips bits, cuts, repeats and overwrites with what parsers trip over.
 std::string damaged(std::string bytes, collage::Rng& rng) {
   static constexpr const char* stumbling_blocks[] = {
-      "-1", "0", "99999999999999999999", "1e400", "nan", "\n", "\"", "{", "[", ",", "/", "\\", "\xff"};
+      "-1", "0",   "99999999999999999999", "1e400", "nan", "\n", "\"", "{", "[", ",", "/",
+      "\\", "\xff"};
   for (std::size_t changes = 1 + rng.below(4); changes > 0 && !bytes.empty(); --changes) {
     const std::size_t at = rng.below(bytes.size());
     const std::size_t count = std::min(1 + rng.below(16), bytes.size() - at);

@@ -30,8 +30,7 @@ struct Sculpture {
   }
   Hole hole() {
     const ClearanceField::Peak top = peak();
-    return {field.sample_point(top), top.upper,
-            field.block(top.block).nearest[top.slot].id()};
+    return {field.sample_point(top), top.upper, field.block(top.block).nearest[top.slot].id()};
   }
   /// Adds an instance to the surfaces, not to the field.
   void place(const Hole& hole, const glm::dquat& rotation) {
@@ -79,10 +78,10 @@ std::size_t expect_true_bounds(Sculpture& s, const Mesh& target_mesh, const Mesh
     double truth = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Mesh& mesh, const Instance& placed) {
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const dvec3 closest = closest_point_on_triangle(
-            p, placed.world_from_element(mesh.corner(t, 0)),
-            placed.world_from_element(mesh.corner(t, 1)),
-            placed.world_from_element(mesh.corner(t, 2)));
+        const dvec3 closest =
+            closest_point_on_triangle(p, placed.world_from_element(mesh.corner(t, 0)),
+                                      placed.world_from_element(mesh.corner(t, 1)),
+                                      placed.world_from_element(mesh.corner(t, 2)));
         truth = std::min(truth, glm::distance(p, closest));
       }
     };

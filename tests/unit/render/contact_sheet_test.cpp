@@ -50,6 +50,19 @@ TEST_F(ContactSheet, mixed_sizes_keep_their_proportions_and_share_a_cell) {
   EXPECT_EQ(count(page, grey), 60 * 30 + 20 * 60);
 }
 
+TEST_F(ContactSheet, captions_may_have_several_lines) {
+  const auto path = picture("a.png", plain_picture(100, 75, grey));
+  const Picture one = sheet({{path, "first"}}, {});
+  const Picture two = sheet({{path, "first\nsecond"}}, {});
+  EXPECT_EQ(two.height, one.height + 14);
+  EXPECT_EQ(count(two, grey), count(one, grey));
+  const auto ink = [](const Picture& page, int from) {
+    const auto first = page.values.begin() + std::ptrdiff_t{from} * page.width * 3;
+    return std::count_if(first, page.values.end(), [](float value) { return value < 0.7F; });
+  };
+  EXPECT_GT(ink(two, one.height - 8), 0);
+}
+
 TEST_F(ContactSheet, fewer_pictures_than_columns_leave_no_gap) {
   const auto path = picture("a.png", plain_picture(40, 30, grey));
   EXPECT_EQ(sheet({{path, ""}}, {.columns = 9}).width, sheet({{path, ""}}, {.columns = 1}).width);
