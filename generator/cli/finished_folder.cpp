@@ -43,6 +43,9 @@ FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
     }
     finished.elements.push_back(read_input(folder, element));
   }
+  for (const Sculpture::Input& prop : finished.sculpture.props) {
+    finished.props.push_back(read_input(folder, prop));
+  }
   if (finished.sculpture.options.target.sdf.empty()) {
     finished.target = read_input(folder, finished.sculpture.target);
   }
@@ -58,6 +61,9 @@ Composition composition_of(const FinishedFolder& finished) {
     const Scene::Element& options = sculpture.options.elements[e];
     composition.elements.push_back(
         {sculpture.elements[e].name, finished.elements[e], options.color, options.finish});
+  }
+  for (std::size_t k = 0; k < finished.props.size(); ++k) {
+    composition.props.push_back({sculpture.props[k].path.stem().string(), finished.props[k]});
   }
   composition.instances = sculpture.instances;
   if (finished.target) {

@@ -15,6 +15,7 @@ namespace collage {
 struct FinishedFolder {
   Sculpture sculpture;
   std::vector<Mesh> elements;
+  std::vector<Mesh> props;
   /// None where the target is a grid of distances.
   std::optional<Mesh> target;
 };

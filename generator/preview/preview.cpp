@@ -68,7 +68,7 @@ struct Preview::Studio {
   const Composition& composition;
   CompositionBounds bounds;
   Stand stand;
-  Surfaces surfaces;
+  SurfaceLooks surfaces;
   std::vector<const Mesh*> meshes;
   std::vector<Instance> instances;
   InstancedScene sculpture;
@@ -84,13 +84,15 @@ struct Preview::Studio {
 
   static std::vector<const Mesh*> meshes_of(const Composition& composition) {
     std::vector<const Mesh*> result;
-    for (const Composition::Element& element : composition.elements) {
-      result.push_back(&element.mesh);
+    for (const auto* shapes : {&composition.elements, &composition.props}) {
+      for (const Composition::Element& shape : *shapes) {
+        result.push_back(&shape.mesh);
+      }
     }
     return result;
   }
 
-  /// As the #if lines of scene.pov choose them.
+  /// As the #if lines of scene.pov choose them; then the props, as elements after the others.
   static std::vector<Instance> instances_shown(const Composition& composition,
                                                const PreviewShown& shown, const Stand& stand) {
     const double end = shown.stage * static_cast<double>(composition.instances.size());
@@ -100,6 +102,11 @@ struct Preview::Studio {
       if (!shown.element || instance.element == *shown.element) {
         result.push_back(stand.studio_from_world(instance));
       }
+    }
+    for (std::size_t k = 0; k < composition.props.size(); ++k) {
+      Instance prop;
+      prop.element = static_cast<std::uint32_t>(composition.elements.size() + k);
+      result.push_back(stand.studio_from_world(prop));
     }
     return result;
   }

@@ -110,23 +110,29 @@ vec3 Texture::at(const dvec2& uv) const {
                   glm::mix(texel(left, top + 1), texel(left + 1, top + 1), fx), fy);
 }
 
-Surfaces::Surfaces(const Composition& composition, const TextureReader& read_texture) {
-  for (std::size_t e = 0; e < composition.elements.size(); ++e) {
-    const Composition::Element& element = composition.elements[e];
-    const ElementLook element_look = look_of(element, e);
-    Look& look = looks_.emplace_back();
-    for (const Material& material : element_look.materials) {
-      Surface surface = surface_of(material, element.finish);
-      surface.texture = texture(material, element.mesh, read_texture);
-      look.surfaces.push_back(surface);
-    }
-    if (element_look.assignment == ElementLook::Assignment::by_triangle) {
-      look.assignment = &element.mesh.triangle_materials;
+SurfaceLooks::SurfaceLooks(const Composition& composition, const TextureReader& read_texture) {
+  for (const auto* shapes : {&composition.elements, &composition.props}) {
+    for (std::size_t k = 0; k < shapes->size(); ++k) {
+      append((*shapes)[k], k, read_texture);
     }
   }
 }
 
-const Texture* Surfaces::texture(const Material& material, const Mesh& mesh,
+void SurfaceLooks::append(const Composition::Element& element, std::size_t index,
+                          const TextureReader& read_texture) {
+  const ElementLook element_look = look_of(element, index);
+  Look& look = looks_.emplace_back();
+  for (const Material& material : element_look.materials) {
+    Surface surface = surface_of(material, element.finish);
+    surface.texture = texture(material, element.mesh, read_texture);
+    look.surfaces.push_back(surface);
+  }
+  if (element_look.assignment == ElementLook::Assignment::by_triangle) {
+    look.assignment = &element.mesh.triangle_materials;
+  }
+}
+
+const Texture* SurfaceLooks::texture(const Material& material, const Mesh& mesh,
                                  const TextureReader& read_texture) {
   if (material.texture.empty() || mesh.uv_triangles.empty()) {
     return nullptr;
@@ -138,7 +144,7 @@ const Texture* Surfaces::texture(const Material& material, const Mesh& mesh,
   return entry->second ? &*entry->second : nullptr;
 }
 
-const Surface& Surfaces::of(std::uint32_t element, std::uint32_t triangle) const {
+const Surface& SurfaceLooks::of(std::uint32_t element, std::uint32_t triangle) const {
   const Look& look = looks_[element];
   return look.surfaces[look.assignment == nullptr ? 0 : (*look.assignment)[triangle]];
 }

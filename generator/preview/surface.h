@@ -40,12 +40,12 @@ struct Surface {
   const Texture* texture = nullptr;
 };
 
-/// The surfaces of a composition. Glass and milk are shown as if no light went through.
-class Surfaces {
+/// The surfaces of a composition: of its elements, then of its props. Glass and milk are shown as if no light went through.
+class SurfaceLooks {
  public:
-  Surfaces(const Composition& composition, const TextureReader& read_texture);
-  Surfaces(const Surfaces&) = delete;
-  Surfaces& operator=(const Surfaces&) = delete;
+  SurfaceLooks(const Composition& composition, const TextureReader& read_texture);
+  SurfaceLooks(const SurfaceLooks&) = delete;
+  SurfaceLooks& operator=(const SurfaceLooks&) = delete;
 
   [[nodiscard]] const Surface& of(std::uint32_t element, std::uint32_t triangle) const;
 
@@ -55,6 +55,8 @@ class Surfaces {
     /// Of each triangle; nullptr: all have the first.
     const std::vector<std::uint32_t>* assignment = nullptr;
   };
+  void append(const Composition::Element& element, std::size_t index,
+              const TextureReader& read_texture);
   const Texture* texture(const Material& material, const Mesh& mesh,
                          const TextureReader& read_texture);
 

@@ -39,9 +39,9 @@ struct Sculpture {
   /// As many as options.elements, in the same order.
   std::vector<Element> elements;
   /// As many as options.render.props, in the same order.
-  std::vector<Input> props;
+  std::vector<Input> props{};
   /// In the order of placement.
-  std::vector<Instance> instances;
+  std::vector<Instance> instances{};
 };
 
 }  // namespace collage

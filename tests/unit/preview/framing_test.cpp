@@ -44,7 +44,7 @@ class FramingTest : public ::testing::Test {
 };
 
 TEST_F(FramingTest, StandsOnTheFloorTwoUnitsLarge) {
-  EXPECT_DOUBLE_EQ(stand_.studio_from_world(bounds_.instances.min).y, 0.0);
+  EXPECT_DOUBLE_EQ(stand_.studio_from_world(bounds_.shown.min).y, 0.0);
   EXPECT_DOUBLE_EQ(std::max(stand_.height, 2.0 * stand_.radius), 2.0);
   const Instance placed = stand_.studio_from_world(instances_[1]);
   const dvec3 corner(1, -1, 1);

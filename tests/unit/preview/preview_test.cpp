@@ -48,6 +48,17 @@ TEST_F(PreviewTest, ShowsEachElementInItsColorInItsPlace) {
   EXPECT_TRUE(is_green(at(seen, 0.5, 0.3)));
 }
 
+TEST_F(PreviewTest, ShowsPropsAtEveryStage) {
+  Composition composition;
+  composition.elements.push_back({"red", box_, "#ff0000", Finish::matt});
+  composition.props.push_back({"green", box_, "#00ff00", Finish::matt});
+  const std::vector<Instance> instances{{0, 1.0, {1, 0, 0, 0}, {0, 2.2, 0}}};
+  composition.instances = instances;
+  const PreviewPicture seen = Preview(composition, no_texture, {}).picture(shot_);
+  EXPECT_TRUE(is_red(at(seen, 0.5, 0.3)));
+  EXPECT_TRUE(is_green(at(seen, 0.5, 0.7)));
+}
+
 TEST_F(PreviewTest, ShowsTheBackdropBesideIt) {
   const PreviewPicture seen = picture();
   const dvec3 wanted = studio_backdrop(1.0 / 61 - 1.0, 1.0 - 1.0 / 47);
