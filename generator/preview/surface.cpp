@@ -133,7 +133,7 @@ void SurfaceLooks::append(const Composition::Element& element, std::size_t index
 }
 
 const Texture* SurfaceLooks::texture(const Material& material, const Mesh& mesh,
-                                 const TextureReader& read_texture) {
+                                     const TextureReader& read_texture) {
   if (material.texture.empty() || mesh.uv_triangles.empty()) {
     return nullptr;
   }

@@ -40,7 +40,8 @@ struct Surface {
   const Texture* texture = nullptr;
 };
 
-/// The surfaces of a composition: of its elements, then of its props. Glass and milk are shown as if no light went through.
+/// The surfaces of a composition: of its elements, then of its props. Glass and milk are shown as
+/// if no light went through.
 class SurfaceLooks {
  public:
   SurfaceLooks(const Composition& composition, const TextureReader& read_texture);
