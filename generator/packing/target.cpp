@@ -39,6 +39,12 @@ double MeshTarget::clearance(const dvec3& point) const {
   return std::max(0.0, distance - ClosestPointIndex::error(unit)) * solid_.radius();
 }
 
+double MeshTarget::signed_clearance(const dvec3& point) const {
+  const dvec3 unit = solid_.unit_from_mesh(point);
+  const double distance = solid_.surface().find(unit, unbounded)->distance * solid_.radius();
+  return solid_.inside(unit) ? distance : -distance;
+}
+
 dvec3 MeshTarget::direction_to_surface(const dvec3& point) const {
   const dvec3 unit = solid_.unit_from_mesh(point);
   return unit_vector(solid_.surface().find(unit, unbounded)->point - unit);
@@ -81,6 +87,10 @@ glm::ivec3 GridTarget::voxel_at(const dvec3& point) const {
 double GridTarget::clearance(const dvec3& point) const {
   const glm::ivec3 voxel = voxel_at(point);
   return -grid_.at(voxel) - glm::distance(point, grid_.center(voxel));
+}
+
+double GridTarget::signed_clearance(const dvec3& point) const {
+  return -grid_.at(voxel_at(point));
 }
 
 dvec3 GridTarget::direction_to_surface(const dvec3& point) const {

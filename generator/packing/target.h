@@ -19,6 +19,8 @@ class Target {
                                          std::uint64_t seed) const = 0;
   /// Distance from a point inside to the surface, never more than the true one; negative outside.
   [[nodiscard]] virtual double clearance(const dvec3& point) const = 0;
+  /// The distance to the surface, up to rounding; negative outside.
+  [[nodiscard]] virtual double signed_clearance(const dvec3& point) const = 0;
   /// Unit vector from a point inside to the nearest point of the surface.
   [[nodiscard]] virtual dvec3 direction_to_surface(const dvec3& point) const = 0;
 };
@@ -32,6 +34,7 @@ class MeshTarget : public Target {
   [[nodiscard]] double volume() const override { return solid_.volume(); }
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 
  private:
@@ -49,6 +52,7 @@ class GridTarget : public Target {
   [[nodiscard]] double volume() const override;
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 
  private:
