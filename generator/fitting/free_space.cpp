@@ -55,7 +55,7 @@ class FreeSpace::Newcomer {
 FreeSpace::FreeSpace(const Target& target, int resolution, Status& status) {
   const VoxelGrid grid = target.voxels(resolution, 0.0, 0);
   const auto count = static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z;
-  require_memory(count * sizeof(float), "the voxels", "target.resolution");
+  require_memory(2 * count * sizeof(float), "the voxels", "target.resolution");
   distances_ = DistanceField(grid.sample_point({0, 0, 0}), grid.voxel_side, grid.size);
   for (int z = 0; z < grid.size.z; ++z) {
     if (status.stop_requested()) {
@@ -70,6 +70,7 @@ FreeSpace::FreeSpace(const Target& target, int resolution, Status& status) {
     status.update(static_cast<double>(z + 1) / grid.size.z, "distances");
   }
   distances_.close_gaps();
+  target_distances_ = distances_;
   points_inside_target_ = static_cast<std::size_t>(
       std::ranges::count_if(distances_.values(), [](float d) { return d > 0.0F; }));
 

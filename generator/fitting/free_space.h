@@ -13,7 +13,7 @@ namespace collage {
 
 /// What is still free: signed distances to the nearest surface of target or instances, on a lattice
 /// over the target, and for each block of it the largest distance and the instances near it. In
-/// world units. Memory: 4 bytes a lattice point.
+/// world units. Memory: 8 bytes a lattice point.
 class FreeSpace {
  public:
   /// Samples the target on all threads. Throws Error where the points would not fit in memory,
@@ -21,6 +21,8 @@ class FreeSpace {
   FreeSpace(const Target& target, int resolution, Status& status);
 
   [[nodiscard]] const DistanceField& distances() const { return distances_; }
+  /// Before anything was added.
+  [[nodiscard]] const DistanceField& target_distances() const { return target_distances_; }
   [[nodiscard]] std::size_t points_inside_target() const { return points_inside_target_; }
   [[nodiscard]] std::size_t points_inside_instances() const { return points_inside_instances_; }
   [[nodiscard]] float largest_distance() const { return largest_; }
@@ -95,6 +97,7 @@ class FreeSpace {
   Change add_to_block(std::size_t block, const Newcomer& newcomer);
 
   DistanceField distances_;
+  DistanceField target_distances_;
   glm::ivec3 blocks_{0};
   std::vector<float> maxima_;
   std::vector<std::vector<std::uint32_t>> residents_;

@@ -56,7 +56,17 @@ struct Kind {
   std::vector<double> radii;
   std::vector<std::uint32_t> elements;
   Outlook outlook;
+  long opened=0,posed=0,filled=0,rejected=0; // DBG
   HoleMap holes{1.0};
+};
+
+/// What a thread works with.
+struct Tools {
+  Tools(const FreeSpace& space, double margin) : finder(space, margin) {}
+
+  PoseFinder finder;
+  Surroundings surroundings;
+  std::vector<std::uint32_t> ids;
 };
 
 class ShapePacker {
@@ -77,7 +87,10 @@ class ShapePacker {
 
   [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
   [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind, double radius) const;
-  /// True where the place's pose is known and still fits.
+  void look_round(Tools& tools, const Pose& pose, std::uint32_t first) const;
+  [[nodiscard]] Pose polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
+                              Rng& rng) const;
+  /// True where the vacancy's pose is known and still fits.
   bool is_ready(Vacancy& vacancy);
   void open_batch(std::uint32_t kind);
   void open(Vacancy& vacancy, std::uint64_t stream);
@@ -94,14 +107,12 @@ class ShapePacker {
   const PackingOptions& options_;
   double longest_side_;
   double spacing_;
-  /// Kept only where the threshold depends on the depth.
-  DistanceField depths_;
-  double greatest_depth_ = 0.0;
+  double greatest_depth_;
   std::vector<Kind> kinds_;
   std::vector<std::uint32_t> kind_of_;
   Quota quota_;
   HoleQueue queue_{0};
-  tbb::enumerable_thread_specific<PoseFinder> finders_;
+  tbb::enumerable_thread_specific<Tools> tools_;
   std::vector<Instance> instances_;
   std::vector<Pose> poses_;
   /// For each instance the last test that looked at it.
@@ -110,6 +121,7 @@ class ShapePacker {
   std::uint64_t openings_ = 0;
   double first_key_ = 0.0;
   double update_seconds_ = 0.0;
+  long dbg_[6]={}; // DBG
 };
 
 std::vector<double> quota_weights(std::span<const ShapeIngredient> ingredients, Choose choose) {
@@ -129,12 +141,9 @@ ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
       options_(options),
       longest_side_(target.target.box().longest_side()),
       spacing_(options.spacing * longest_side_),
+      greatest_depth_(space.largest_distance()),
       quota_(quota_weights(ingredients, options.choose)),
-      finders_([this] { return PoseFinder(space_, spacing_); }) {
-  if (options.threshold_core > 0.0) {
-    depths_ = space.distances();
-    greatest_depth_ = space.largest_distance();
-  }
+      tools_([this] { return Tools(space_, spacing_); }) {
   add_kinds();
   queue_ = HoleQueue(kinds_.size());
 }
@@ -182,7 +191,8 @@ double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
   if (options_.threshold_core <= 0.0) {
     return kind.least_radius;
   }
-  const double depth = depths_.value(glm::vec3(depths_.steps(at))) / greatest_depth_;
+  const DistanceField& depths = space_.target_distances();
+  const double depth = depths.value(glm::vec3(depths.steps(at))) / greatest_depth_;
   const double threshold = glm::mix(options_.threshold, options_.threshold_core,
                                     glm::clamp(depth, 0.0, 1.0));
   return std::max(kind.least_radius, threshold * longest_side_);
@@ -239,11 +249,56 @@ std::optional<std::uint32_t> ShapePacker::next_kind() const {
   return best;
 }
 
+/// The surroundings of a pose, of instances from number `first` on.
+void ShapePacker::look_round(Tools& tools, const Pose& pose, std::uint32_t first) const {
+  constexpr double reach = 1.3;
+  tools.ids.clear();
+  space_.visit_near(pose.center, reach * pose.radius + spacing_, [&](std::uint32_t other) {
+    if (other >= first) {
+      tools.ids.push_back(other);
+    }
+  });
+  std::ranges::sort(tools.ids);
+  const auto repeated = std::ranges::unique(tools.ids);
+  tools.ids.erase(repeated.begin(), repeated.end());
+  tools.surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
+  for (const std::uint32_t other : tools.ids) {
+    const double together = poses_[other].radius + reach * pose.radius + spacing_;
+    if (glm::distance(poses_[other].center, pose.center) < together) {
+      tools.surroundings.add(*kinds_[kind_of_[instances_[other].element]].shape, poses_[other]);
+    }
+  }
+}
+
+/// The pose made as large as the surroundings allow.
+Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
+                           Rng& rng) const {
+  look_round(tools, pose, 0);
+  tools.finder.optimizer().look_at(&tools.surroundings);
+  const Pose better =
+      tools.finder.optimizer().maximize(kind.shape->fine(), pose,
+                                        {.steps = 6,
+                                         .first_step = 0.06,
+                                         .largest_radius = kind.largest_radius,
+                                         .least_radius = 0.0},
+                                        rng);
+  tools.finder.optimizer().look_at(nullptr);
+  return better.radius >= least ? better : Pose{};
+}
+
 bool ShapePacker::is_ready(Vacancy& vacancy) {
+  constexpr double tolerance = 2e-3;
   const auto now = static_cast<std::uint32_t>(instances_.size());
   if (vacancy.has_pose && vacancy.fitted_at < now) {
-    vacancy.has_pose =
-        finders_.local().optimizer().fits(kinds_[vacancy.shape].shape->fine(), vacancy.pose);
+    Tools& tools = tools_.local();
+    look_round(tools, vacancy.pose, vacancy.fitted_at);
+    if (!tools.surroundings.empty()) {
+      PoseOptimizer& optimizer = tools.finder.optimizer();
+      optimizer.look_at(&tools.surroundings);
+      vacancy.has_pose = optimizer.violation(kinds_[vacancy.shape].shape->fine(), vacancy.pose) <=
+                         tolerance;
+      optimizer.look_at(nullptr);
+    }
     vacancy.fitted_at = now;
   }
   return vacancy.has_pose;
@@ -260,12 +315,15 @@ void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
   const Pose previous = vacancy.pose;
   vacancy.pose = Pose{};
   if (vacancy.clearance > 0.3 * space_.distances().spacing()) {
-    vacancy.pose = finders_.local().find({.shape = *kind.shape,
-                                        .hole = vacancy.hole,
-                                        .least_radius = least_radius(kind, vacancy.hole),
-                                        .largest_radius = kind.largest_radius,
-                                        .previous = previous},
-                                       rng);
+    const double least = least_radius(kind, vacancy.hole);
+    Tools& tools = tools_.local();
+    const Pose pose = tools.finder.find({.shape = *kind.shape,
+                                         .hole = vacancy.hole,
+                                         .least_radius = 0.9 * least,
+                                         .largest_radius = kind.largest_radius,
+                                         .previous = previous},
+                                        rng);
+    vacancy.pose = pose.radius > 0.0 ? polished(tools, kind, pose, least, rng) : Pose{};
   }
   vacancy.has_pose = vacancy.pose.radius > 0.0;
   vacancy.fitted_at = static_cast<std::uint32_t>(instances_.size());
@@ -295,6 +353,7 @@ void ShapePacker::open_batch(std::uint32_t k) {
     if (vacancy.clearance > 0.0) {
       kind.outlook.learn(vacancy.pose.radius / vacancy.clearance);
     }
+    kind.opened++; if (vacancy.has_pose) kind.posed++; // DBG
     if (vacancy.has_pose) {
       queue_.push(opened[i]);
     }
@@ -332,11 +391,14 @@ bool ShapePacker::blocked(const Kind& kind, const Pose& pose) {
     }
     const Instance& neighbour = instances_[other];
     const CollisionShape& its_shape = kinds_[kind_of_[neighbour.element]].shape->collision();
-    meets = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance) ||
-            has_part_inside(its_shape, neighbour, shape, instance) ||
-            has_part_inside(shape, instance, its_shape, neighbour);
+    const bool m1 = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance), m2 = // DBG
+            !m1 && has_part_inside(its_shape, neighbour, shape, instance), m3 = // DBG
+            !m1 && !m2 && has_part_inside(shape, instance, its_shape, neighbour); // DBG
+    meets = m1||m2||m3; dbg_[0]+=m1; dbg_[1]+=m2; dbg_[2]+=m3; // DBG
   });
-  return meets || leaves_target(kind, instance);
+  if (!meets) { meets = leaves_target(kind, instance); dbg_[3]+=meets; dbg_[4]+= meets && has_part_outside(*target_.surface, kind.shape->collision(), instance); } // DBG
+  dbg_[5]++; // DBG
+  return meets; // DBG
 }
 
 /// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
@@ -378,7 +440,7 @@ std::optional<Pose> ShapePacker::settled_at_fixed(const Kind& kind, const Pose& 
   }
   Pose loose = pose;
   loose.radius = *radius;
-  const Pose close = finders_.local().optimizer().hug(kind.shape->fine(), loose);
+  const Pose close = tools_.local().finder.optimizer().hug(kind.shape->fine(), loose);
   for (const Pose& candidate : {close, loose}) {
     if (!blocked(kind, candidate)) {
       return candidate;
@@ -420,6 +482,7 @@ void ShapePacker::fill(Id id) {
                                        ? settled_at_fixed(kind, vacancy.pose)
                                        : settled(kind, vacancy.pose, least);
   vacancy.has_pose = false;
+  (pose?kind.filled:kind.rejected)++; // DBG
   if (!pose) {
     vacancy.pose = Pose{};
     vacancy.key *= discouraged;
@@ -480,6 +543,8 @@ Packing ShapePacker::run(Status& status) {
       open_batch(*kind);
     }
   }
+  if (std::getenv("DBG")) fprintf(stderr,"DBG meet %ld inside %ld around %ld target %ld (outside %ld) of %ld\n",dbg_[0],dbg_[1],dbg_[2],dbg_[3],dbg_[4],dbg_[5]); // DBG
+  if (std::getenv("DBG")) for (const Kind& kind : kinds_) fprintf(stderr,"DBG kind vol %.4f (%.1f%%) insc %.3f fine %zu bulge %.4f coarse %zu opened %ld posed %ld filled %ld rejected %ld ratio %.2f\n", kind.shape->unit_volume(),100*kind.shape->unit_volume()/4.18879,kind.shape->inscribed().radius,kind.shape->fine().radii.size(),kind.shape->cover().bulge,kind.shape->coarse().radii.size(),kind.opened,kind.posed,kind.filled,kind.rejected,kind.outlook.ratio());
   Packing packing;
   packing.instances = std::move(instances_);
   packing.voxels = space_.distances().size();

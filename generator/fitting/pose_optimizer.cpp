@@ -22,37 +22,26 @@ glm::dquat turned_by(const dvec3& axis_angle, const glm::dquat& rotation) {
 
 }  // namespace
 
-double PoseOptimizer::evaluate(const SphereSet& spheres, const Pose& pose) {
+double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
   const std::size_t count = spheres.centers.size();
   turned_.resize(count);
   distance_.resize(count);
   away_.resize(count);
   const glm::mat3 rotation(glm::mat3_cast(pose.rotation));
-  const glm::vec3 middle(distances_.steps(pose.center));
-  const auto steps_per_unit = static_cast<float>(pose.radius / distances_.spacing());
+  const double unit = near_ != nullptr ? 1.0 : distances_.spacing();
+  const glm::vec3 middle =
+      near_ != nullptr ? near_->from_origin(pose.center) : glm::vec3(distances_.steps(pose.center));
+  const auto radius = static_cast<float>(pose.radius / unit);
   const auto units_per_world = static_cast<float>(1.0 / pose.radius);
   const auto margin = static_cast<float>(margin_);
   float worst = -1e30F;
   for (std::size_t i = 0; i < count; ++i) {
     turned_[i] = rotation * spheres.centers[i];
-    const float distance = distances_.value(middle + steps_per_unit * turned_[i], away_[i]);
+    const glm::vec3 at = middle + radius * turned_[i];
+    const float distance =
+        near_ != nullptr ? near_->value(at, away_[i]) : distances_.value(at, away_[i]);
     distance_[i] = (distance - margin) * units_per_world;
     worst = std::max(worst, spheres.radii[i] - distance_[i]);
-  }
-  return worst;
-}
-
-double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
-  const glm::mat3 rotation(glm::mat3_cast(pose.rotation));
-  const glm::vec3 middle(distances_.steps(pose.center));
-  const auto steps_per_unit = static_cast<float>(pose.radius / distances_.spacing());
-  const auto units_per_world = static_cast<float>(1.0 / pose.radius);
-  const auto margin = static_cast<float>(margin_);
-  float worst = -1e30F;
-  for (std::size_t i = 0; i < spheres.centers.size(); ++i) {
-    const float distance =
-        distances_.value(middle + steps_per_unit * (rotation * spheres.centers[i]));
-    worst = std::max(worst, spheres.radii[i] - (distance - margin) * units_per_world);
   }
   return worst;
 }
@@ -118,7 +107,7 @@ Pose PoseOptimizer::maximize(const SphereSet& spheres, const Pose& start, const 
   Pose best;
   double step = options.first_step;
   for (int i = 0; i < options.steps && step >= least_step; ++i) {
-    if (evaluate(spheres, pose) <= tolerance && pose.radius > best.radius) {
+    if (violation(spheres, pose) <= tolerance && pose.radius > best.radius) {
       best = pose;
     }
     if (i == options.steps / 2 && std::max(best.radius, pose.radius) < options.least_radius) {
@@ -154,7 +143,7 @@ Pose PoseOptimizer::hug(const SphereSet& spheres, const Pose& start) {
   Pose best = start;
   double step = 0.1;
   for (int i = 0; i < steps; ++i) {
-    if (evaluate(spheres, pose) <= tolerance) {
+    if (violation(spheres, pose) <= tolerance) {
       best = pose;
     }
     dvec3 pull(0.0);

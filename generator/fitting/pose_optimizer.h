@@ -7,6 +7,7 @@
 #include "fitting/linear_program.h"
 #include "fitting/pose.h"
 #include "fitting/shaped_element.h"
+#include "fitting/surroundings.h"
 
 namespace collage {
 
@@ -35,6 +36,8 @@ class PoseOptimizer {
   PoseOptimizer(const DistanceField& distances, double margin)
       : distances_(distances), margin_(margin) {}
 
+  /// From now on distances are those of `near`, which must live as long; nullptr: of the whole.
+  void look_at(const Surroundings* near) { near_ = near; }
   /// By how much the worst sphere reaches beyond the free space, in units of the radius.
   double violation(const SphereSet& spheres, const Pose& pose);
   [[nodiscard]] bool fits(const SphereSet& spheres, const Pose& pose) {
@@ -50,13 +53,13 @@ class PoseOptimizer {
   Pose hug(const SphereSet& spheres, const Pose& start);
 
  private:
-  double evaluate(const SphereSet& spheres, const Pose& pose);
   void add_constraints(const SphereSet& spheres, double step);
   /// Takes the step that the linear program asks for; false where there is none.
   bool take_step(Pose& pose);
 
   const DistanceField& distances_;
   double margin_;
+  const Surroundings* near_ = nullptr;
   LinearProgram program_;
   /// By sphere: centre in the turned unit frame, distance over the radius, direction of growth.
   std::vector<glm::vec3> turned_;

@@ -8,9 +8,10 @@
 namespace collage {
 namespace {
 
-/// The share of the bulge that the optimiser gives away. With more it finds its way through thin
-/// walls, with less it leaves room where spheres reach beyond the solid.
-constexpr double trusted_bulge = 0.5;
+/// The optimiser gives away this share of the bulge, or of the depth where that is less. With more
+/// it finds its way through thin walls, with less it leaves room where spheres reach beyond the
+/// solid.
+constexpr double trusted = 0.5;
 constexpr int distance_points = 100;
 constexpr double distance_margin = 0.15;
 
@@ -44,7 +45,8 @@ Sphere deepest(const SphereCover& cover) {
 SphereSet::SphereSet(const SphereCover& cover) {
   for (const Sphere& sphere : cover.spheres) {
     centers.emplace_back(sphere.center);
-    radii.push_back(static_cast<float>(sphere.radius - trusted_bulge * cover.bulge));
+    const double given_away = trusted * std::min(cover.bulge, sphere.radius - cover.bulge);
+    radii.push_back(static_cast<float>(sphere.radius - std::max(0.0, given_away)));
   }
 }
 

@@ -14,8 +14,8 @@ struct SphereSet {
   explicit SphereSet(const SphereCover& cover);
 
   std::vector<glm::vec3> centers;
-  /// Without the trusted half of the bulge: a sphere as large as this fits where the solid may or
-  /// may not, and the exact test decides.
+  /// Less than those of the cover by what the optimiser gives away: where such spheres fit the
+  /// solid may or may not, and the exact test decides.
   std::vector<float> radii;
 };
 

@@ -14,6 +14,7 @@ namespace collage {
 namespace {
 
 constexpr std::size_t surface_samples = 7000;
+constexpr std::size_t most_vertices = 4000;
 constexpr double lattice_points = 3000.0;
 constexpr double finest_lattice = 0.045;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -68,9 +69,11 @@ void SphereCoverer::add_samples(const Mesh& unit_mesh) {
       used[triangle[k]] = 1;
     }
   }
-  for (std::size_t v = 0; v < used.size(); ++v) {
+  const std::size_t stride = 1 + used.size() / most_vertices;
+  for (std::size_t v = 0; v < used.size(); v += stride) {
     if (used[v] != 0) {
       samples_.push_back(unit_mesh.positions[v]);
+      corners_.push_back(unit_mesh.positions[v]);
     }
   }
 }
@@ -99,7 +102,9 @@ void SphereCoverer::add_candidates(const Solid& solid) {
     candidates_[i] = i < normals_.size() ? ball_inside(solid, samples_[i], normals_[i])
                                          : Sphere{lattice_[l], depth_at(solid, lattice_[l])};
   });
-  candidates_.push_back({dvec3(0.0), 0.0});
+  for (const dvec3& corner : corners_) {
+    candidates_.push_back({corner, 0.0});
+  }
 }
 
 std::vector<SphereCoverer::Bits> SphereCoverer::covered_by_each(double bulge) const {
