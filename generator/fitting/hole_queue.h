@@ -23,6 +23,8 @@ struct Vacancy {
   std::uint32_t fitted_at = 0;
   bool has_pose = false;
   int openings = 0;
+  /// The instance whose ring the pose is to hang in.
+  std::optional<std::uint32_t> host;
 };
 
 /// Vacancies yet to be filled, for each shape the most promising one first.

@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t batch = 8;
 /// Of many shapes so many are tried in a hole.
 constexpr std::size_t shapes_a_hole = 4;
+/// Where links are sought, one of this many times less size is as good.
+constexpr double link_preference = 2.0;
 constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
 constexpr std::uint64_t choice_stream = 0x63686f696365ULL;
 
@@ -98,6 +100,9 @@ class ShapePacker {
   std::optional<Pose> settled(const Kind& kind, const Pose& pose, double least);
   std::optional<Pose> settled_at_fixed(const Kind& kind, const Pose& pose);
   [[nodiscard]] bool blocked(const Kind& kind, const Pose& pose);
+  [[nodiscard]] bool linked(const Kind& kind, const Pose& pose, std::uint32_t other) const;
+  [[nodiscard]] PoseFinder::Opening opening_of(std::uint32_t host) const;
+  void add_linked_vacancies(std::uint32_t host);
   [[nodiscard]] bool leaves_target(const Kind& kind, const Instance& instance) const;
   void report(double key, Status& status);
 
@@ -121,7 +126,6 @@ class ShapePacker {
   std::uint64_t openings_ = 0;
   double first_key_ = 0.0;
   double update_seconds_ = 0.0;
-  long dbg_[6]={}; // DBG
 };
 
 std::vector<double> quota_weights(std::span<const ShapeIngredient> ingredients, Choose choose) {
@@ -307,27 +311,36 @@ bool ShapePacker::is_ready(Vacancy& vacancy) {
 void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
   const Kind& kind = kinds_[vacancy.shape];
   Rng rng(options_.seed, opening_stream ^ mix_bits(stream));
-  const FreeSpace::Peak peak = space_.climb(vacancy.hole);
-  vacancy.hole = peak.position;
-  vacancy.clearance = peak.distance - spacing_;
+  if (!vacancy.host) {
+    const FreeSpace::Peak peak = space_.climb(vacancy.hole);
+    vacancy.hole = peak.position;
+    vacancy.clearance = peak.distance - spacing_;
+  }
   vacancy.openings += 1;
   vacancy.has_pose = false;
   const Pose previous = vacancy.pose;
   vacancy.pose = Pose{};
-  if (vacancy.clearance > 0.3 * space_.distances().spacing()) {
+  if (vacancy.host || vacancy.clearance > 0.3 * space_.distances().spacing()) {
     const double least = least_radius(kind, vacancy.hole);
     Tools& tools = tools_.local();
-    const Pose pose = tools.finder.find({.shape = *kind.shape,
-                                         .hole = vacancy.hole,
-                                         .least_radius = 0.9 * least,
-                                         .largest_radius = kind.largest_radius,
-                                         .previous = previous},
-                                        rng);
+    const PoseFinder::Request request{.shape = *kind.shape,
+                                      .hole = vacancy.hole,
+                                      .least_radius = 0.9 * least,
+                                      .largest_radius = kind.largest_radius,
+                                      .previous = previous};
+    const Pose pose = vacancy.host
+                          ? tools.finder.find_linked(request, opening_of(*vacancy.host), rng)
+                          : tools.finder.find(request, rng);
     vacancy.pose = pose.radius > 0.0 ? polished(tools, kind, pose, least, rng) : Pose{};
+  }
+  double preference = 1.0;
+  if (vacancy.host && vacancy.pose.radius > 0.0) {
+    preference = link_preference;
+    vacancy.pose = linked(kind, vacancy.pose, *vacancy.host) ? vacancy.pose : Pose{};
   }
   vacancy.has_pose = vacancy.pose.radius > 0.0;
   vacancy.fitted_at = static_cast<std::uint32_t>(instances_.size());
-  vacancy.key = vacancy.pose.radius * kind.key_per_radius;
+  vacancy.key = preference * vacancy.pose.radius * kind.key_per_radius;
 }
 
 /// Opens the most promising places of a kind that have no pose, at once.
@@ -391,14 +404,12 @@ bool ShapePacker::blocked(const Kind& kind, const Pose& pose) {
     }
     const Instance& neighbour = instances_[other];
     const CollisionShape& its_shape = kinds_[kind_of_[neighbour.element]].shape->collision();
-    const bool m1 = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance), m2 = // DBG
-            !m1 && has_part_inside(its_shape, neighbour, shape, instance), m3 = // DBG
-            !m1 && !m2 && has_part_inside(shape, instance, its_shape, neighbour); // DBG
-    meets = m1||m2||m3; dbg_[0]+=m1; dbg_[1]+=m2; dbg_[2]+=m3; // DBG
+    meets = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance) ||
+            has_part_inside(its_shape, neighbour, shape, instance) ||
+            has_part_inside(shape, instance, its_shape, neighbour) ||
+            (options_.linking == Linking::avoid && linked(kind, pose, other));
   });
-  if (!meets) { meets = leaves_target(kind, instance); dbg_[3]+=meets; dbg_[4]+= meets && has_part_outside(*target_.surface, kind.shape->collision(), instance); } // DBG
-  dbg_[5]++; // DBG
-  return meets; // DBG
+  return meets || leaves_target(kind, instance);
 }
 
 /// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
@@ -447,6 +458,54 @@ std::optional<Pose> ShapePacker::settled_at_fixed(const Kind& kind, const Pose& 
     }
   }
   return std::nullopt;
+}
+
+/// Whether the pose's loops and those of an instance go round each other.
+bool ShapePacker::linked(const Kind& kind, const Pose& pose, std::uint32_t other) const {
+  const auto in_world = [](const Loop& loop, const Pose& where) {
+    Loop moved = loop;
+    for (dvec3& point : moved) {
+      point = where.center + where.rotation * (where.radius * point);
+    }
+    return moved;
+  };
+  const Kind& its_kind = kinds_[kind_of_[instances_[other].element]];
+  return std::ranges::any_of(kind.shape->loops(), [&](const Loop& loop) {
+    const Loop own = in_world(loop, pose);
+    return std::ranges::any_of(its_kind.shape->loops(), [&](const Loop& its_loop) {
+      return linking_number(own, in_world(its_loop, poses_[other])) != 0;
+    });
+  });
+}
+
+PoseFinder::Opening ShapePacker::opening_of(std::uint32_t host) const {
+  const Loop& ring = *kinds_[kind_of_[instances_[host].element]].shape->ring();
+  const Pose& pose = poses_[host];
+  dvec3 middle(0.0);
+  for (const dvec3& point : ring) {
+    middle += point / static_cast<double>(ring.size());
+  }
+  return {pose.center + pose.rotation * (pose.radius * middle),
+          pose.rotation * glm::normalize(area_vector(ring)), pose.radius};
+}
+
+void ShapePacker::add_linked_vacancies(std::uint32_t host) {
+  if (kinds_[kind_of_[instances_[host].element]].shape->ring() == nullptr) {
+    return;
+  }
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    const Kind& kind = kinds_[k];
+    if (kind.shape->ring() == nullptr) {
+      continue;
+    }
+    Vacancy vacancy;
+    vacancy.hole = opening_of(host).center;
+    vacancy.shape = k;
+    vacancy.host = host;
+    vacancy.key = link_preference * std::min(poses_[host].radius, kind.largest_radius) *
+                  kind.key_per_radius;
+    queue_.add(vacancy);
+  }
 }
 
 /// Which of the kind's elements: one that may have this radius, by quota, or by lot.
@@ -505,10 +564,19 @@ void ShapePacker::fill(Id id) {
   poses_.push_back(*pose);
   looked_at_.push_back(0);
   quota_.count(*element);
-  kind.holes.remove(vacancy.hole);
+  const auto host = vacancy.host;
+  if (!host) {
+    kind.holes.remove(vacancy.hole);
+  }
   Stopwatch updating;
   space_.add(*kind.shape, *pose, index);
   add_holes(space_.changed_peaks(0.0F));
+  if (options_.linking == Linking::seek) {
+    add_linked_vacancies(index);
+    if (host) {
+      add_linked_vacancies(*host);
+    }
+  }
   update_seconds_ += updating.seconds();
 }
 
@@ -543,7 +611,6 @@ Packing ShapePacker::run(Status& status) {
       open_batch(*kind);
     }
   }
-  if (std::getenv("DBG")) fprintf(stderr,"DBG meet %ld inside %ld around %ld target %ld (outside %ld) of %ld\n",dbg_[0],dbg_[1],dbg_[2],dbg_[3],dbg_[4],dbg_[5]); // DBG
   if (std::getenv("DBG")) for (const Kind& kind : kinds_) fprintf(stderr,"DBG kind vol %.4f (%.1f%%) insc %.3f fine %zu bulge %.4f coarse %zu opened %ld posed %ld filled %ld rejected %ld ratio %.2f\n", kind.shape->unit_volume(),100*kind.shape->unit_volume()/4.18879,kind.shape->inscribed().radius,kind.shape->fine().radii.size(),kind.shape->cover().bulge,kind.shape->coarse().radii.size(),kind.opened,kind.posed,kind.filled,kind.rejected,kind.outlook.ratio());
   Packing packing;
   packing.instances = std::move(instances_);

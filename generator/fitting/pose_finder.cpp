@@ -97,10 +97,33 @@ void PoseFinder::add_starts(const Request& request, Rng& rng) {
 }
 
 Pose PoseFinder::find(const Request& request, Rng& rng) {
+  add_starts(request, rng);
+  return refine(request, rng);
+}
+
+Pose PoseFinder::find_linked(const Request& request, const Opening& opening, Rng& rng) {
+  constexpr int starts = 10;
+  const Loop& ring = *request.shape.ring();
+  poses_.clear();
+  for (int i = 0; i < starts; ++i) {
+    const std::size_t at = rng.below(ring.size());
+    const dvec3& before = ring[(at + ring.size() - 1) % ring.size()];
+    const dvec3 along = glm::normalize(ring[(at + 1) % ring.size()] - before);
+    const dvec3 through = i % 2 == 0 ? opening.axis : -opening.axis;
+    Pose pose;
+    pose.rotation = orientation(along, through, glm::two_pi<double>() * rng.uniform());
+    pose.radius = glm::clamp(opening.radius * (0.4 + 0.7 * rng.uniform()), request.least_radius,
+                             std::max(request.least_radius, request.largest_radius));
+    pose.center = opening.center - pose.rotation * (pose.radius * ring[at]);
+    poses_.push_back(pose);
+  }
+  return refine(request, rng);
+}
+
+Pose PoseFinder::refine(const Request& request, Rng& rng) {
   // A start that has come half as far as the best, or as need be, may still get there.
   constexpr double hopeful = 0.55;
   constexpr double worth_refining = 0.85;
-  add_starts(request, rng);
   double best_radius = 0.0;
   for (Pose& pose : poses_) {
     pose = optimizer_.maximize(

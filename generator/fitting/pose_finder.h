@@ -18,6 +18,13 @@ class PoseFinder {
     /// What was found here before, or nowhere.
     Pose previous;
   };
+  /// A ring to hang another one in.
+  struct Opening {
+    dvec3 center;
+    /// Unit vector through the opening.
+    dvec3 axis;
+    double radius;
+  };
 
   PoseFinder(const FreeSpace& space, double margin)
       : space_(space), optimizer_(space.distances(), margin) {}
@@ -25,8 +32,11 @@ class PoseFinder {
   [[nodiscard]] PoseOptimizer& optimizer() { return optimizer_; }
   /// Radius 0 where none was found that is large enough.
   Pose find(const Request& request, Rng& rng);
+  /// Starts with the element's own ring through the opening; it need not stay there.
+  Pose find_linked(const Request& request, const Opening& opening, Rng& rng);
 
  private:
+  Pose refine(const Request& request, Rng& rng);
   [[nodiscard]] dvec3 longest_chord(const dvec3& hole) const;
   void add_starts(const Request& request, Rng& rng);
 

@@ -40,7 +40,21 @@ Sphere deepest(const SphereCover& cover) {
   return {largest->center, std::max(0.0, largest->radius - cover.bulge)};
 }
 
+std::vector<Loop> find_loops(const Mesh& unit_mesh) {
+  constexpr std::size_t most_loops = 8;
+  std::vector<Loop> loops = handle_loops(unit_mesh);
+  return loops.size() <= most_loops ? loops : std::vector<Loop>{};
+}
+
 }  // namespace
+
+dvec3 area_vector(const Loop& loop) {
+  dvec3 sum(0.0);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    sum += glm::cross(loop[i], loop[(i + 1) % loop.size()]);
+  }
+  return sum;
+}
 
 SphereSet::SphereSet(const SphereCover& cover) {
   for (const Sphere& sphere : cover.spheres) {
@@ -65,6 +79,13 @@ ShapedElement::ShapedElement(const Mesh& mesh, const Element& element, ShapeData
       fine_(data_.fine),
       unit_volume_(std::abs(element.solid().volume()) / std::pow(element.size(), 3.0)),
       inscribed_(deepest(data_.fine)),
-      long_axis_(find_long_axis(mesh)) {}
+      long_axis_(find_long_axis(mesh)),
+      loops_(find_loops(in_unit_frame(mesh, element.center(), element.size()))) {
+  for (std::size_t l = 1; l < loops_.size(); ++l) {
+    if (glm::length(area_vector(loops_[l])) > glm::length(area_vector(loops_[ring_]))) {
+      ring_ = l;
+    }
+  }
+}
 
 }  // namespace collage

@@ -5,6 +5,7 @@
 #include "fitting/collision_shape.h"
 #include "fitting/distance_field.h"
 #include "geometry/covering_spheres.h"
+#include "geometry/linking_number.h"
 #include "packing/element.h"
 
 namespace collage {
@@ -34,6 +35,9 @@ inline constexpr std::size_t fine_spheres = 500;
 /// Cost: a few seconds.
 ShapeData measure_shape(const Mesh& mesh, const Element& element);
 
+/// Normal of a loop, twice as long as its area.
+dvec3 area_vector(const Loop& loop);
+
 /// An element made ready to be fitted by its shape. Refers to the mesh and the element.
 class ShapedElement {
  public:
@@ -50,6 +54,10 @@ class ShapedElement {
   [[nodiscard]] double unit_volume() const { return unit_volume_; }
   /// The deepest point inside, and its depth.
   [[nodiscard]] const Sphere& inscribed() const { return inscribed_; }
+  /// See handle_loops(); none for elements of more than four handles.
+  [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
+  /// The loop that goes round the largest opening; nullptr where there is none.
+  [[nodiscard]] const Loop* ring() const { return loops_.empty() ? nullptr : &loops_[ring_]; }
   /// Unit vector along which the element is longest.
   [[nodiscard]] const dvec3& long_axis() const { return long_axis_; }
 
@@ -62,6 +70,8 @@ class ShapedElement {
   double unit_volume_;
   Sphere inscribed_;
   dvec3 long_axis_;
+  std::vector<Loop> loops_;
+  std::size_t ring_ = 0;
 };
 
 }  // namespace collage
