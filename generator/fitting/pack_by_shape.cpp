@@ -58,7 +58,6 @@ struct Kind {
   std::vector<double> radii;
   std::vector<std::uint32_t> elements;
   Outlook outlook;
-  long opened=0,posed=0,filled=0,rejected=0; // DBG
   HoleMap holes{1.0};
 };
 
@@ -103,6 +102,8 @@ class ShapePacker {
   [[nodiscard]] bool linked(const Kind& kind, const Pose& pose, std::uint32_t other) const;
   [[nodiscard]] PoseFinder::Opening opening_of(std::uint32_t host) const;
   void add_linked_vacancies(std::uint32_t host);
+  [[nodiscard]] double link_key(std::uint32_t host, const Kind& kind) const;
+  bool keep_looking(Vacancy& vacancy) const;
   [[nodiscard]] bool leaves_target(const Kind& kind, const Instance& instance) const;
   void report(double key, Status& status);
 
@@ -343,6 +344,17 @@ void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
   vacancy.key = preference * vacancy.pose.radius * kind.key_per_radius;
 }
 
+/// A ring's opening is worth another look: what starts there is luck.
+bool ShapePacker::keep_looking(Vacancy& vacancy) const {
+  constexpr int most_openings = 4;
+  constexpr double discouraged = 0.7;
+  if (!vacancy.host || vacancy.openings >= most_openings) {
+    return false;
+  }
+  vacancy.key = discouraged * link_key(*vacancy.host, kinds_[vacancy.shape]);
+  return true;
+}
+
 /// Opens the most promising places of a kind that have no pose, at once.
 void ShapePacker::open_batch(std::uint32_t k) {
   constexpr double comparable = 0.6;
@@ -366,8 +378,7 @@ void ShapePacker::open_batch(std::uint32_t k) {
     if (vacancy.clearance > 0.0) {
       kind.outlook.learn(vacancy.pose.radius / vacancy.clearance);
     }
-    kind.opened++; if (vacancy.has_pose) kind.posed++; // DBG
-    if (vacancy.has_pose) {
+    if (vacancy.has_pose || keep_looking(vacancy)) {
       queue_.push(opened[i]);
     }
   }
@@ -489,6 +500,12 @@ PoseFinder::Opening ShapePacker::opening_of(std::uint32_t host) const {
           pose.rotation * glm::normalize(area_vector(ring)), pose.radius};
 }
 
+/// As if a ring of the host's size would fit.
+double ShapePacker::link_key(std::uint32_t host, const Kind& kind) const {
+  return link_preference * std::min(poses_[host].radius, kind.largest_radius) *
+         kind.key_per_radius;
+}
+
 void ShapePacker::add_linked_vacancies(std::uint32_t host) {
   if (kinds_[kind_of_[instances_[host].element]].shape->ring() == nullptr) {
     return;
@@ -502,8 +519,7 @@ void ShapePacker::add_linked_vacancies(std::uint32_t host) {
     vacancy.hole = opening_of(host).center;
     vacancy.shape = k;
     vacancy.host = host;
-    vacancy.key = link_preference * std::min(poses_[host].radius, kind.largest_radius) *
-                  kind.key_per_radius;
+    vacancy.key = link_key(host, kind);
     queue_.add(vacancy);
   }
 }
@@ -541,7 +557,6 @@ void ShapePacker::fill(Id id) {
                                        ? settled_at_fixed(kind, vacancy.pose)
                                        : settled(kind, vacancy.pose, least);
   vacancy.has_pose = false;
-  (pose?kind.filled:kind.rejected)++; // DBG
   if (!pose) {
     vacancy.pose = Pose{};
     vacancy.key *= discouraged;
@@ -582,7 +597,7 @@ void ShapePacker::fill(Id id) {
 
 /// Keys fall steadily on a scale of logarithms.
 void ShapePacker::report(double key, Status& status) {
-  if (openings_ % 16 == 0 && status.stop_requested()) {
+  if (status.stop_requested()) {
     throw Interrupted();
   }
   if (instances_.size() % 16 != 1) {
@@ -611,7 +626,6 @@ Packing ShapePacker::run(Status& status) {
       open_batch(*kind);
     }
   }
-  if (std::getenv("DBG")) for (const Kind& kind : kinds_) fprintf(stderr,"DBG kind vol %.4f (%.1f%%) insc %.3f fine %zu bulge %.4f coarse %zu opened %ld posed %ld filled %ld rejected %ld ratio %.2f\n", kind.shape->unit_volume(),100*kind.shape->unit_volume()/4.18879,kind.shape->inscribed().radius,kind.shape->fine().radii.size(),kind.shape->cover().bulge,kind.shape->coarse().radii.size(),kind.opened,kind.posed,kind.filled,kind.rejected,kind.outlook.ratio());
   Packing packing;
   packing.instances = std::move(instances_);
   packing.voxels = space_.distances().size();

@@ -102,7 +102,7 @@ Pose PoseFinder::find(const Request& request, Rng& rng) {
 }
 
 Pose PoseFinder::find_linked(const Request& request, const Opening& opening, Rng& rng) {
-  constexpr int starts = 10;
+  constexpr int starts = 16;
   const Loop& ring = *request.shape.ring();
   poses_.clear();
   for (int i = 0; i < starts; ++i) {
@@ -112,7 +112,7 @@ Pose PoseFinder::find_linked(const Request& request, const Opening& opening, Rng
     const dvec3 through = i % 2 == 0 ? opening.axis : -opening.axis;
     Pose pose;
     pose.rotation = orientation(along, through, glm::two_pi<double>() * rng.uniform());
-    pose.radius = glm::clamp(opening.radius * (0.4 + 0.7 * rng.uniform()), request.least_radius,
+    pose.radius = glm::clamp(opening.radius * (0.3 + 0.8 * rng.uniform()), request.least_radius,
                              std::max(request.least_radius, request.largest_radius));
     pose.center = opening.center - pose.rotation * (pose.radius * ring[at]);
     poses_.push_back(pose);
