@@ -81,8 +81,8 @@ std::optional<Links> find_links(const InstanceIndex& sculpture, Status& status) 
       result.largest_number = std::max(result.largest_number, link.number);
     }
   }
-  result.linked_share = static_cast<double>(std::ranges::count(linked, char{1})) /
-                        static_cast<double>(linked.size());
+  result.linked_share =
+      static_cast<double>(std::ranges::count(linked, char{1})) / static_cast<double>(linked.size());
   return result;
 }
 

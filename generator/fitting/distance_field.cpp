@@ -77,8 +77,7 @@ DistanceField sample_unit_distances(const Solid& solid, int points_per_side, dou
         const double distance = solid.surface().find(point, reach)->distance;
         // The next point is one step away; the rest covers rounding.
         reach = distance + 1.01 * field.spacing();
-        field.at({x, y, z}) =
-            static_cast<float>(solid.inside(point) ? -distance : distance);
+        field.at({x, y, z}) = static_cast<float>(solid.inside(point) ? -distance : distance);
       }
     }
   });

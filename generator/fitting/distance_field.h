@@ -44,11 +44,11 @@ class DistanceField {
   [[nodiscard]] float value(const glm::vec3& steps) const {
     const Cell cell = cell_at(steps);
     const float* v = &values_[cell.index];
-    const float front = mix(mix(v[0], v[1], cell.part.x),
-                            mix(v[row_], v[row_ + 1], cell.part.x), cell.part.y);
+    const float front =
+        mix(mix(v[0], v[1], cell.part.x), mix(v[row_], v[row_ + 1], cell.part.x), cell.part.y);
     const float* w = v + layer_;
-    const float back = mix(mix(w[0], w[1], cell.part.x), mix(w[row_], w[row_ + 1], cell.part.x),
-                           cell.part.y);
+    const float back =
+        mix(mix(w[0], w[1], cell.part.x), mix(w[row_], w[row_ + 1], cell.part.x), cell.part.y);
     return mix(front, back, cell.part.z);
   }
   /// The same, with the direction in which the distance grows fastest, a unit vector.

@@ -26,8 +26,7 @@ bool HoleMap::insert(const dvec3& hole, double apart) {
     for (int y = from.y; y <= to.y; ++y) {
       for (int x = from.x; x <= to.x; ++x) {
         const auto found = cells_.find(key({x, y, z}));
-        if (found != cells_.end() &&
-            std::ranges::any_of(found->second, [&](const dvec3& other) {
+        if (found != cells_.end() && std::ranges::any_of(found->second, [&](const dvec3& other) {
               return glm::distance(other, hole) < apart;
             })) {
           return false;

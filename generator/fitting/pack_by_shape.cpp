@@ -198,8 +198,8 @@ double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
   }
   const DistanceField& depths = space_.target_distances();
   const double depth = depths.value(glm::vec3(depths.steps(at))) / greatest_depth_;
-  const double threshold = glm::mix(options_.threshold, options_.threshold_core,
-                                    glm::clamp(depth, 0.0, 1.0));
+  const double threshold =
+      glm::mix(options_.threshold, options_.threshold_core, glm::clamp(depth, 0.0, 1.0));
   return std::max(kind.least_radius, threshold * longest_side_);
 }
 
@@ -217,7 +217,8 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   vacancy.hole = peak.position;
   vacancy.clearance = clearance;
   vacancy.shape = k;
-  vacancy.key = std::min(kind.outlook.ratio() * clearance, kind.largest_radius) * kind.key_per_radius;
+  vacancy.key =
+      std::min(kind.outlook.ratio() * clearance, kind.largest_radius) * kind.key_per_radius;
   queue_.add(vacancy);
 }
 
@@ -280,13 +281,10 @@ Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, dou
                            Rng& rng) const {
   look_round(tools, pose, 0);
   tools.finder.optimizer().look_at(&tools.surroundings);
-  const Pose better =
-      tools.finder.optimizer().maximize(kind.shape->fine(), pose,
-                                        {.steps = 6,
-                                         .first_step = 0.06,
-                                         .largest_radius = kind.largest_radius,
-                                         .least_radius = 0.0},
-                                        rng);
+  const Pose better = tools.finder.optimizer().maximize(
+      kind.shape->fine(), pose,
+      {.steps = 6, .first_step = 0.06, .largest_radius = kind.largest_radius, .least_radius = 0.0},
+      rng);
   tools.finder.optimizer().look_at(nullptr);
   return better.radius >= least ? better : Pose{};
 }
@@ -300,8 +298,8 @@ bool ShapePacker::is_ready(Vacancy& vacancy) {
     if (!tools.surroundings.empty()) {
       PoseOptimizer& optimizer = tools.finder.optimizer();
       optimizer.look_at(&tools.surroundings);
-      vacancy.has_pose = optimizer.violation(kinds_[vacancy.shape].shape->fine(), vacancy.pose) <=
-                         tolerance;
+      vacancy.has_pose =
+          optimizer.violation(kinds_[vacancy.shape].shape->fine(), vacancy.pose) <= tolerance;
       optimizer.look_at(nullptr);
     }
     vacancy.fitted_at = now;
@@ -392,8 +390,8 @@ bool ShapePacker::leaves_target(const Kind& kind, const Instance& instance) cons
   }
   const double unit = instance.scale * kind.shape->element().size();
   return std::ranges::any_of(kind.shape->cover().spheres, [&](const Sphere& sphere) {
-    const dvec3 center = instance.world_from_element(
-        kind.shape->element().solid().mesh_from_unit(sphere.center));
+    const dvec3 center =
+        instance.world_from_element(kind.shape->element().solid().mesh_from_unit(sphere.center));
     return target_.target.clearance(center) < unit * sphere.radius + spacing_;
   });
 }
@@ -502,8 +500,7 @@ PoseFinder::Opening ShapePacker::opening_of(std::uint32_t host) const {
 
 /// As if a ring of the host's size would fit.
 double ShapePacker::link_key(std::uint32_t host, const Kind& kind) const {
-  return link_preference * std::min(poses_[host].radius, kind.largest_radius) *
-         kind.key_per_radius;
+  return link_preference * std::min(poses_[host].radius, kind.largest_radius) * kind.key_per_radius;
 }
 
 void ShapePacker::add_linked_vacancies(std::uint32_t host) {
@@ -530,9 +527,8 @@ std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double r
   std::vector<std::uint32_t> possible;
   for (const std::uint32_t e : kinds_[k].elements) {
     const double size = ingredients_[e].shape.element().size();
-    const bool listed = std::ranges::any_of(ingredients_[e].scales, [&](double scale) {
-      return scale * size == radius;
-    });
+    const bool listed = std::ranges::any_of(ingredients_[e].scales,
+                                            [&](double scale) { return scale * size == radius; });
     if (options_.scaling == Scaling::to_hole || listed) {
       available[e] = 1;
       possible.push_back(e);

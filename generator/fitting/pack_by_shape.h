@@ -33,9 +33,9 @@ struct ShapeTarget {
 /// the numbers of instances to the weights within 5 %, and end the packing where no place is left
 /// for an element that is behind; an element that has never fitted does not count.
 ///
-/// Linking: rings that would hang in one another are refused (avoid), taken as they come (allow), or
-/// preferred to larger ones that do not (seek). Each instance with a ring then is a host: another is
-/// fitted through it, and tried before holes of the same size.
+/// Linking: rings that would hang in one another are refused (avoid), taken as they come (allow),
+/// or preferred to larger ones that do not (seek). Each instance with a ring then is a host:
+/// another is fitted through it, and tried before holes of the same size.
 ///
 /// Results depend on input, options and seed alone, not on the number of threads. Throws
 /// Interrupted. Cost: some 10 ms an instance with 500 spheres.

@@ -19,8 +19,7 @@ struct Pose {
     return instance(index, element, radius / element.size());
   }
   /// With exactly this scale.
-  [[nodiscard]] Instance instance(std::uint32_t index, const Element& element,
-                                  double scale) const {
+  [[nodiscard]] Instance instance(std::uint32_t index, const Element& element, double scale) const {
     return {index, scale, rotation, center - rotation * (scale * element.center())};
   }
 };

@@ -44,8 +44,7 @@ dvec3 PoseFinder::longest_chord(const dvec3& hole) const {
   double longest = -1.0;
   dvec3 best(0.0, 0.0, 1.0);
   for (int i = 0; i < directions; ++i) {
-    const dvec3 direction =
-        direction_on_sphere((i + 0.5) / directions, glm::fract(i * golden));
+    const dvec3 direction = direction_on_sphere((i + 0.5) / directions, glm::fract(i * golden));
     double length = 0.0;
     for (const double sign : {1.0, -1.0}) {
       double way = 0.0;
@@ -88,8 +87,8 @@ void PoseFinder::add_starts(const Request& request, Rng& rng) {
     } else if (i % 3 == 2) {
       anchor = dvec3(shape.coarse().centers[rng.below(shape.coarse().centers.size())]);
     }
-    const Pose pose = optimizer_.grow(shape.coarse(), rotation, anchor, request.hole,
-                                      request.largest_radius);
+    const Pose pose =
+        optimizer_.grow(shape.coarse(), rotation, anchor, request.hole, request.largest_radius);
     if (pose.radius > 0.0) {
       poses_.push_back(pose);
     }
@@ -126,12 +125,12 @@ Pose PoseFinder::refine(const Request& request, Rng& rng) {
   constexpr double worth_refining = 0.85;
   double best_radius = 0.0;
   for (Pose& pose : poses_) {
-    pose = optimizer_.maximize(
-        request.shape.coarse(), pose,
-        {.steps = 7,
-         .largest_radius = request.largest_radius,
-         .least_radius = hopeful * std::max(best_radius, request.least_radius)},
-        rng);
+    pose =
+        optimizer_.maximize(request.shape.coarse(), pose,
+                            {.steps = 7,
+                             .largest_radius = request.largest_radius,
+                             .least_radius = hopeful * std::max(best_radius, request.least_radius)},
+                            rng);
     best_radius = std::max(best_radius, pose.radius);
   }
   std::ranges::stable_sort(poses_, std::ranges::greater{}, &Pose::radius);

@@ -58,8 +58,8 @@ Pose PoseOptimizer::grow(const SphereSet& spheres, const glm::dquat& rotation, c
     double step = largest_radius - radius;
     for (std::size_t s = 0; s < spheres.centers.size(); ++s) {
       const glm::vec3 arm = matrix * (spheres.centers[s] - glm::vec3(anchor));
-      const double free = distances_.value(middle + steps_per_unit * arm) - margin_ -
-                          radius * spheres.radii[s];
+      const double free =
+          distances_.value(middle + steps_per_unit * arm) - margin_ - radius * spheres.radii[s];
       step = std::min(step, free / (glm::length(arm) + spheres.radii[s]));
     }
     if (step <= small_step * radius) {

@@ -19,12 +19,12 @@ struct SphereCover {
 };
 
 /// Covers a solid, in its unit frame, with spheres round points of its medial axis and its inside.
-/// What must be covered is sampled: 7,000 points of the surface, vertices (of more than 4,000 some), and points of a
-/// lattice inside. Candidates for centres are the centres of the largest balls that touch a surface
-/// point from inside (shrinking balls: Ma, Bae and Choi 2012, "3D medial axis point approximation
-/// using nearest neighbors and the normal field"), the surface point itself where there is no such
-/// ball, as on an open sheet, vertices, and lattice points.
-/// Safe to use from one thread; runs on all. Build: some 100,000 closest-point queries.
+/// What must be covered is sampled: 7,000 points of the surface, vertices (of more than 4,000
+/// some), and points of a lattice inside. Candidates for centres are the centres of the largest
+/// balls that touch a surface point from inside (shrinking balls: Ma, Bae and Choi 2012, "3D medial
+/// axis point approximation using nearest neighbors and the normal field"), the surface point
+/// itself where there is no such ball, as on an open sheet, vertices, and lattice points. Safe to
+/// use from one thread; runs on all. Build: some 100,000 closest-point queries.
 class SphereCoverer {
  public:
   /// `unit_mesh` is the solid's mesh in its unit frame, which it must stay in; see in_unit_frame().

@@ -152,9 +152,8 @@ std::vector<Loop> LoopFinder::run() {
   const auto way_round = [&](const Edge& edge) {
     return distance_[edge.low] + distance_[edge.high] + length(edge.low, edge.high);
   };
-  std::ranges::stable_sort(edges_, [&](const Edge& a, const Edge& b) {
-    return way_round(a) > way_round(b);
-  });
+  std::ranges::stable_sort(
+      edges_, [&](const Edge& a, const Edge& b) { return way_round(a) > way_round(b); });
   DisjointSets triangles(mesh_.triangles.size());
   std::vector<Loop> loops;
   for (const Edge& edge : edges_) {

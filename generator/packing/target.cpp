@@ -89,9 +89,7 @@ double GridTarget::clearance(const dvec3& point) const {
   return -grid_.at(voxel) - glm::distance(point, grid_.center(voxel));
 }
 
-double GridTarget::signed_clearance(const dvec3& point) const {
-  return -grid_.at(voxel_at(point));
-}
+double GridTarget::signed_clearance(const dvec3& point) const { return -grid_.at(voxel_at(point)); }
 
 dvec3 GridTarget::direction_to_surface(const dvec3& point) const {
   const glm::ivec3 voxel = voxel_at(point);

@@ -127,10 +127,10 @@ void append_packing_options(std::vector<Option>& table) {
   table.push_back(option("packing.choose", [](auto& s) -> auto& { return s.packing.choose; },
                          {.help = "which of the elements that fit is taken",
                           .words = {"largest", "alternate", "weighted"}}));
-  table.push_back(option(
-      "packing.fit", [](auto& s) -> auto& { return s.packing.fit; },
-      {.help = "what must lie in the hole: the element's bounding sphere, or itself",
-       .words = {"sphere", "shape"}}));
+  table.push_back(
+      option("packing.fit", [](auto& s) -> auto& { return s.packing.fit; },
+             {.help = "what must lie in the hole: the element's bounding sphere, or itself",
+              .words = {"sphere", "shape"}}));
   table.push_back(option("packing.linking", [](auto& s) -> auto& { return s.packing.linking; },
                          {.help = "by shape: whether rings may hang in one another",
                           .words = {"avoid", "allow", "seek"}}));

@@ -47,8 +47,7 @@ Result run(const Case& setup, Status& status) {
   for (const Mesh& mesh : setup.meshes) {
     result.elements.push_back(std::make_unique<Element>(mesh));
     const Element& element = *result.elements.back();
-    shapes.push_back(
-        std::make_unique<ShapedElement>(mesh, element, measure_shape(mesh, element)));
+    shapes.push_back(std::make_unique<ShapedElement>(mesh, element, measure_shape(mesh, element)));
     const double weight = setup.weights.empty() ? 1.0 : setup.weights[ingredients.size()];
     ingredients.push_back({*shapes.back(), setup.scales, weight});
     plain.push_back({element, setup.scales, weight});

@@ -6,8 +6,8 @@
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
-#include "test_meshes.h"
 #include "support/meshes.h"
+#include "test_meshes.h"
 
 namespace collage {
 namespace {
