@@ -57,7 +57,8 @@ Measures measure(const MeasureInput& input, Status& status) {
   Part distances(status, 0.5, 0.55);
   Part filling(status, 0.55, 0.6);
   Part holes(status, 0.6, 0.8);
-  Part touching(status, 0.8, 1.0);
+  Part touching(status, 0.8, 0.95);
+  Part linking(status, 0.95, 1.0);
   if (input.target != nullptr) {
     const TargetShape target(*input.target);
     side = side > 0.0 ? side : target.side;
@@ -71,6 +72,7 @@ Measures measure(const MeasureInput& input, Status& status) {
   if (side > 0.0) {
     result.contacts = contacts(sculpture, input.gap * side, touching);
   }
+  result.links = find_links(sculpture, linking);
   return result;
 }
 

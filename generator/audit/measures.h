@@ -8,6 +8,7 @@
 #include "audit/fill.h"
 #include "audit/kinds.h"
 #include "audit/largest_hole.h"
+#include "audit/links.h"
 #include "audit/orientations.h"
 #include "audit/silhouette.h"
 #include "audit/sizes.h"
@@ -29,6 +30,7 @@ struct Measures {
   std::optional<Fill> fill;
   std::optional<LargestHole> largest_hole;
   std::optional<Contacts> contacts;
+  std::optional<Links> links;
   /// Of the instances' enclosing spheres, their radii in world units.
   std::optional<Sizes> sizes;
   std::optional<Orientations> orientations;

@@ -103,6 +103,8 @@ void add_variety(JsonObject& json, const Measures& measures) {
   json.add("clusters", contacts, [](const Contacts& c) { return std::size_t{c.clusters}; });
   json.add("largest_cluster_share", contacts,
            [](const Contacts& c) { return c.largest_cluster_share; });
+  json.add("linked_pairs", measures.links, [](const Links& l) { return std::size_t{l.pairs}; });
+  json.add("linked_share", measures.links, [](const Links& l) { return l.linked_share; });
   const auto& turned = measures.orientations;
   json.add("orientation_evenness", turned, [](const Orientations& o) { return o.evenness; });
   json.add("orientation_evenness_of_random", turned,

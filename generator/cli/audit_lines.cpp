@@ -117,6 +117,13 @@ void append_variety(std::vector<AuditLine>& lines, const Measures& measures) {
                      percent(measures.contacts->largest_cluster_share),
                      "Share of the copies that hang together at that gap in the largest cluster."});
   }
+  if (measures.links) {
+    lines.push_back({Group::variety, "linked",
+                     fmt::format("{} in {} pairs", percent(measures.links->linked_share),
+                                 grouped(measures.links->pairs)),
+                     "Share of the copies that hang in another like the links of a chain, by "
+                     "linking numbers of loops through their handles."});
+  }
   if (measures.orientations) {
     lines.push_back({Group::variety, "evenness of orientations",
                      fmt::format("{:.4f}, random {:.4f}", measures.orientations->evenness,

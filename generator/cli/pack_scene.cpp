@@ -13,6 +13,7 @@
 #include "base/stage.h"
 #include "base/stopwatch.h"
 #include "cli/data_folder.h"
+#include "cli/prepare_packing.h"
 #include "cli/version.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
@@ -56,6 +57,8 @@ struct Workshop {
   std::vector<Ingredient> ingredients;
   std::vector<MeshFile> props;
 
+  [[nodiscard]] PackingInput packing_input() const;
+
  private:
   void read_target(const Scene::Target& wanted, Status& status);
 };
@@ -93,6 +96,14 @@ Workshop::Workshop(const Scene& scene, Status& status) {
     const Scene::Element& wanted = scene.elements[e];
     ingredients.push_back({*elements[e], wanted.scales, wanted.weight, wanted.left, wanted.right});
   }
+}
+
+PackingInput Workshop::packing_input() const {
+  PackingInput input{*target, target_mesh, ingredients, {}};
+  for (const MeshFile& file : element_files) {
+    input.meshes.push_back(&file.mesh);
+  }
+  return input;
 }
 
 /// An empty sculpture is a mistake in the scene; says which.
@@ -218,10 +229,7 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
   Stopwatch preparing;
   status.begin("preparing");
   const Workshop workshop(scene, status);
-  ClearanceField field(
-      *workshop.target,
-      workshop.target->voxels(scene.target.resolution, scene.target.jitter, scene.packing.seed),
-      status);
+  const auto run_packing = prepare_packing(scene, workshop.packing_input(), status);
   status.end();
   const double prepare_seconds = preparing.seconds();
 
@@ -229,8 +237,7 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
     status.note("distances are measured to vertices only: instances overlap");
   }
   status.begin("packing");
-  const Packing packing =
-      pack(*workshop.target, field, workshop.ingredients, scene.packing, status);
+  const Packing packing = run_packing(status);
   status.end();
   if (packing.instances.empty()) {
     throw_nothing_fits(scene, workshop, packing);

@@ -58,6 +58,12 @@ void MeshTarget::clearances(std::span<const dvec3> points, std::span<double> cle
   }
 }
 
+double MeshTarget::signed_clearance(const dvec3& point) const {
+  const dvec3 unit = solid_.unit_from_mesh(point);
+  const double distance = solid_.surface().find(unit, unbounded)->distance * solid_.radius();
+  return solid_.inside(unit) ? distance : -distance;
+}
+
 dvec3 MeshTarget::direction_to_surface(const dvec3& point) const {
   const dvec3 unit = solid_.unit_from_mesh(point);
   return unit_vector(solid_.surface().find(unit, unbounded)->point - unit);
@@ -101,6 +107,8 @@ double GridTarget::clearance(const dvec3& point) const {
   const glm::ivec3 voxel = voxel_at(point);
   return -grid_.at(voxel) - glm::distance(point, grid_.center(voxel));
 }
+
+double GridTarget::signed_clearance(const dvec3& point) const { return -grid_.at(voxel_at(point)); }
 
 dvec3 GridTarget::direction_to_surface(const dvec3& point) const {
   const glm::ivec3 voxel = voxel_at(point);

@@ -24,6 +24,8 @@ class Target {
   [[nodiscard]] virtual double clearance(const dvec3& point) const = 0;
   /// The same for many points, faster where each is near the one before it.
   virtual void clearances(std::span<const dvec3> points, std::span<double> clearances) const;
+  /// The distance to the surface, up to rounding; negative outside.
+  [[nodiscard]] virtual double signed_clearance(const dvec3& point) const = 0;
   /// Unit vector from a point inside to the nearest point of the surface.
   [[nodiscard]] virtual dvec3 direction_to_surface(const dvec3& point) const = 0;
 };
@@ -38,6 +40,7 @@ class MeshTarget : public Target {
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
   void clearances(std::span<const dvec3> points, std::span<double> clearances) const override;
+  [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 
  private:
@@ -57,6 +60,7 @@ class GridTarget : public Target {
   [[nodiscard]] double volume() const override;
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 
  private:

@@ -116,16 +116,34 @@ void append_packing_options(std::vector<Option>& table) {
                          {.minimum = 0.0001,
                           .maximum = 1,
                           .unit = "a fraction of the target's longest side",
-                          .help = "radius of the smallest hole that is still filled"}));
+                          .help = "radius of the smallest hole that is still filled; by shape, "
+                                  "of the smallest element"}));
+  table.push_back(option("packing.threshold_core",
+                         [](auto& s) -> auto& { return s.packing.threshold_core; },
+                         {.minimum = 0,
+                          .maximum = 1,
+                          .unit = "a fraction of the target's longest side, 0 for the same",
+                          .help = "by shape: the threshold at the deepest point of the target, "
+                                  "blended by depth"}));
+  table.push_back(option("packing.largest", [](auto& s) -> auto& { return s.packing.largest; },
+                         {.minimum = 0.0001,
+                          .maximum = 1,
+                          .unit = "a fraction of the target's longest side",
+                          .help = "by shape: radius of the largest element where packing.scaling "
+                                  "is \"to-hole\""}));
   table.push_back(option("packing.scaling", [](auto& s) -> auto& { return s.packing.scaling; },
                          {.help = "whether elements keep their sizes or grow to fit the hole",
                           .words = {"fixed", "to-hole"}}));
   table.push_back(option("packing.choose", [](auto& s) -> auto& { return s.packing.choose; },
                          {.help = "which of the elements that fit is taken",
                           .words = {"largest", "alternate", "weighted"}}));
-  table.push_back(option(
-      "packing.fit", [](auto& s) -> auto& { return s.packing.fit; },
-      {.help = "what must lie in the hole: the element's bounding sphere", .words = {"sphere"}}));
+  table.push_back(
+      option("packing.fit", [](auto& s) -> auto& { return s.packing.fit; },
+             {.help = "what must lie in the hole: the element's bounding sphere, or itself",
+              .words = {"sphere", "shape"}}));
+  table.push_back(option("packing.linking", [](auto& s) -> auto& { return s.packing.linking; },
+                         {.help = "by shape: whether rings may hang in one another",
+                          .words = {"avoid", "allow", "seek"}}));
   table.push_back(option("packing.distance", [](auto& s) -> auto& { return s.packing.distance; },
                          {.help = "distance to surfaces, or to vertices only, which overlaps",
                           .words = {"exact", "vertices"}}));

@@ -1,0 +1,644 @@
+#include "fitting/pack_by_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fitting/hole_queue.h"
+#include "fitting/pose_finder.h"
+#include "fitting/quota.h"
+
+namespace collage {
+namespace {
+
+/// Places opened at a time, whatever the number of threads.
+constexpr std::size_t batch = 8;
+/// Of many shapes so many are tried in a hole.
+constexpr std::size_t shapes_a_hole = 4;
+/// Where links are sought, one of this many times less size is as good.
+constexpr double link_preference = 2.0;
+constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
+constexpr std::uint64_t choice_stream = 0x63686f696365ULL;
+
+/// Guesses how large a pose a hole will turn out to have: what nine in ten have had, in units of
+/// the hole's clearance.
+class Outlook {
+ public:
+  [[nodiscard]] double ratio() const { return ratio_; }
+  void learn(double ratio) {
+    seen_.push_back(ratio);
+    if (seen_.size() == sample) {
+      std::ranges::nth_element(seen_, seen_.begin() + sample * 9 / 10);
+      ratio_ = std::max(1.2, seen_[sample * 9 / 10]);
+      seen_.clear();
+    }
+  }
+
+ private:
+  static constexpr std::ptrdiff_t sample = 100;
+  double ratio_ = 2.0;
+  std::vector<double> seen_;
+};
+
+/// A shape with all that depends on the options.
+struct Kind {
+  const ShapedElement* shape;
+  /// Key of a pose ÷ its radius: keys are cube roots of volumes.
+  double key_per_radius = 1.0;
+  double least_radius = 0.0;
+  double largest_radius = 1e300;
+  /// Of the radii allowed, falling; empty: any.
+  std::vector<double> radii;
+  std::vector<std::uint32_t> elements;
+  Outlook outlook;
+  HoleMap holes{1.0};
+};
+
+/// What a thread works with.
+struct Tools {
+  Tools(const FreeSpace& space, double margin) : finder(space, margin) {}
+
+  PoseFinder finder;
+  Surroundings surroundings;
+  std::vector<std::uint32_t> ids;
+};
+
+class ShapePacker {
+ public:
+  ShapePacker(const ShapeTarget& target, FreeSpace& space,
+              std::span<const ShapeIngredient> ingredients, const PackingOptions& options);
+
+  Packing run(Status& status);
+
+ private:
+  using Id = HoleQueue::Id;
+
+  void add_kinds();
+  void add_holes(const std::vector<FreeSpace::Peak>& peaks);
+  void add_vacancy(std::uint32_t kind, const FreeSpace::Peak& peak);
+  [[nodiscard]] double apart(double clearance) const;
+  [[nodiscard]] double least_radius(const Kind& kind, const dvec3& at) const;
+
+  [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
+  [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind, double radius) const;
+  void look_round(Tools& tools, const Pose& pose, std::uint32_t first) const;
+  [[nodiscard]] Pose polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
+                              Rng& rng) const;
+  /// True where the vacancy's pose is known and still fits.
+  bool is_ready(Vacancy& vacancy);
+  void open_batch(std::uint32_t kind);
+  void open(Vacancy& vacancy, std::uint64_t stream);
+  void fill(Id id);
+  std::optional<Pose> settled(const Kind& kind, const Pose& pose, double least);
+  std::optional<Pose> settled_at_fixed(const Kind& kind, const Pose& pose);
+  [[nodiscard]] bool blocked(const Kind& kind, const Pose& pose);
+  [[nodiscard]] bool linked(const Kind& kind, const Pose& pose, std::uint32_t other) const;
+  [[nodiscard]] PoseFinder::Opening opening_of(std::uint32_t host) const;
+  void add_linked_vacancies(std::uint32_t host);
+  [[nodiscard]] double link_key(std::uint32_t host, const Kind& kind) const;
+  bool keep_looking(Vacancy& vacancy) const;
+  [[nodiscard]] bool leaves_target(const Kind& kind, const Instance& instance) const;
+  void report(double key, Status& status);
+
+  const ShapeTarget& target_;
+  FreeSpace& space_;
+  std::span<const ShapeIngredient> ingredients_;
+  const PackingOptions& options_;
+  double longest_side_;
+  double spacing_;
+  double greatest_depth_;
+  std::vector<Kind> kinds_;
+  std::vector<std::uint32_t> kind_of_;
+  Quota quota_;
+  HoleQueue queue_{0};
+  tbb::enumerable_thread_specific<Tools> tools_;
+  std::vector<Instance> instances_;
+  std::vector<Pose> poses_;
+  /// For each instance the last test that looked at it.
+  std::vector<std::uint64_t> looked_at_;
+  std::uint64_t tests_ = 0;
+  std::uint64_t openings_ = 0;
+  double first_key_ = 0.0;
+  double update_seconds_ = 0.0;
+};
+
+std::vector<double> quota_weights(std::span<const ShapeIngredient> ingredients, Choose choose) {
+  std::vector<double> weights;
+  for (const ShapeIngredient& ingredient : ingredients) {
+    weights.push_back(choose == Choose::weighted ? ingredient.weight : 1.0);
+  }
+  return weights;
+}
+
+ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
+                         std::span<const ShapeIngredient> ingredients,
+                         const PackingOptions& options)
+    : target_(target),
+      space_(space),
+      ingredients_(ingredients),
+      options_(options),
+      longest_side_(target.target.box().longest_side()),
+      spacing_(options.spacing * longest_side_),
+      greatest_depth_(space.largest_distance()),
+      quota_(quota_weights(ingredients, options.choose)),
+      tools_([this] { return Tools(space_, spacing_); }) {
+  add_kinds();
+  queue_ = HoleQueue(kinds_.size());
+}
+
+void ShapePacker::add_kinds() {
+  constexpr double nearly = 0.99;  // scales are often rounded to the threshold
+  const double threshold = options_.threshold * longest_side_;
+  for (std::uint32_t e = 0; e < ingredients_.size(); ++e) {
+    const ShapeIngredient& ingredient = ingredients_[e];
+    const auto known = std::ranges::find(kinds_, &ingredient.shape, &Kind::shape);
+    kind_of_.push_back(static_cast<std::uint32_t>(known - kinds_.begin()));
+    if (known == kinds_.end()) {
+      Kind& kind = kinds_.emplace_back();
+      kind.shape = &ingredient.shape;
+      kind.key_per_radius = std::max(0.05, std::cbrt(ingredient.shape.unit_volume()));
+      kind.least_radius = threshold;
+      kind.largest_radius = options_.largest * longest_side_;
+      kind.holes = HoleMap(0.01 * longest_side_);
+    }
+    Kind& kind = kinds_[kind_of_.back()];
+    kind.elements.push_back(e);
+    for (const double scale : ingredient.scales) {
+      const double radius = scale * ingredient.shape.element().size();
+      if (options_.scaling == Scaling::fixed && radius >= nearly * threshold) {
+        kind.radii.push_back(radius);
+      }
+    }
+  }
+  for (Kind& kind : kinds_) {
+    if (options_.scaling == Scaling::fixed) {
+      std::ranges::sort(kind.radii, std::ranges::greater{});
+      kind.least_radius = kind.radii.empty() ? 1e300 : kind.radii.back();
+      kind.largest_radius = kind.radii.empty() ? 0.0 : kind.radii.front();
+    }
+  }
+}
+
+/// Two holes nearer than this are one.
+double ShapePacker::apart(double clearance) const {
+  const double voxel = space_.distances().spacing();
+  return std::min(std::max(0.5 * clearance, 1.5 * voxel), 0.035 * longest_side_);
+}
+
+double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
+  if (options_.threshold_core <= 0.0) {
+    return kind.least_radius;
+  }
+  const DistanceField& depths = space_.target_distances();
+  const double depth = depths.value(glm::vec3(depths.steps(at))) / greatest_depth_;
+  const double threshold =
+      glm::mix(options_.threshold, options_.threshold_core, glm::clamp(depth, 0.0, 1.0));
+  return std::max(kind.least_radius, threshold * longest_side_);
+}
+
+void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
+  Kind& kind = kinds_[k];
+  const double clearance = peak.distance - spacing_;
+  // An element's thickest part must go into the hole, or next to it.
+  const double voxel = space_.distances().spacing();
+  const double thickness = std::min(0.5, kind.shape->inscribed().radius);
+  if (clearance < std::max(0.6 * voxel, 0.7 * thickness * kind.least_radius) ||
+      !kind.holes.insert(peak.position, apart(clearance))) {
+    return;
+  }
+  Vacancy vacancy;
+  vacancy.hole = peak.position;
+  vacancy.clearance = clearance;
+  vacancy.shape = k;
+  vacancy.key =
+      std::min(kind.outlook.ratio() * clearance, kind.largest_radius) * kind.key_per_radius;
+  queue_.add(vacancy);
+}
+
+void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
+  for (const FreeSpace::Peak& peak : peaks) {
+    const std::size_t tried = std::min(shapes_a_hole, kinds_.size());
+    Rng rng(options_.seed, choice_stream ^ mix_bits(openings_++));
+    const std::size_t first = kinds_.size() > tried ? rng.below(kinds_.size()) : 0;
+    for (std::size_t i = 0; i < tried; ++i) {
+      add_vacancy(static_cast<std::uint32_t>((first + i) % kinds_.size()), peak);
+    }
+  }
+}
+
+/// The kind to fill the next place with.
+std::optional<std::uint32_t> ShapePacker::next_kind() const {
+  if (options_.choose != Choose::largest) {
+    std::vector<char> available(ingredients_.size());
+    for (std::size_t e = 0; e < available.size(); ++e) {
+      available[e] = queue_.top(kind_of_[e]) ? 1 : 0;
+    }
+    const auto element = quota_.next(available);
+    return element ? std::optional(kind_of_[*element]) : std::nullopt;
+  }
+  std::optional<std::uint32_t> best;
+  double largest = 0.0;
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    const auto top = queue_.top(k);
+    if (top && queue_[*top].key > largest) {
+      best = k;
+      largest = queue_[*top].key;
+    }
+  }
+  return best;
+}
+
+/// The surroundings of a pose, of instances from number `first` on.
+void ShapePacker::look_round(Tools& tools, const Pose& pose, std::uint32_t first) const {
+  constexpr double reach = 1.3;
+  tools.ids.clear();
+  space_.visit_near(pose.center, reach * pose.radius + spacing_, [&](std::uint32_t other) {
+    if (other >= first) {
+      tools.ids.push_back(other);
+    }
+  });
+  std::ranges::sort(tools.ids);
+  const auto repeated = std::ranges::unique(tools.ids);
+  tools.ids.erase(repeated.begin(), repeated.end());
+  tools.surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
+  for (const std::uint32_t other : tools.ids) {
+    const double together = poses_[other].radius + reach * pose.radius + spacing_;
+    if (glm::distance(poses_[other].center, pose.center) < together) {
+      tools.surroundings.add(*kinds_[kind_of_[instances_[other].element]].shape, poses_[other]);
+    }
+  }
+}
+
+/// The pose made as large as the surroundings allow.
+Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
+                           Rng& rng) const {
+  look_round(tools, pose, 0);
+  tools.finder.optimizer().look_at(&tools.surroundings);
+  const Pose better = tools.finder.optimizer().maximize(
+      kind.shape->fine(), pose,
+      {.steps = 6, .first_step = 0.06, .largest_radius = kind.largest_radius, .least_radius = 0.0},
+      rng);
+  tools.finder.optimizer().look_at(nullptr);
+  return better.radius >= least ? better : Pose{};
+}
+
+bool ShapePacker::is_ready(Vacancy& vacancy) {
+  constexpr double tolerance = 2e-3;
+  const auto now = static_cast<std::uint32_t>(instances_.size());
+  if (vacancy.has_pose && vacancy.fitted_at < now) {
+    Tools& tools = tools_.local();
+    look_round(tools, vacancy.pose, vacancy.fitted_at);
+    if (!tools.surroundings.empty()) {
+      PoseOptimizer& optimizer = tools.finder.optimizer();
+      optimizer.look_at(&tools.surroundings);
+      vacancy.has_pose =
+          optimizer.violation(kinds_[vacancy.shape].shape->fine(), vacancy.pose) <= tolerance;
+      optimizer.look_at(nullptr);
+    }
+    vacancy.fitted_at = now;
+  }
+  return vacancy.has_pose;
+}
+
+void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
+  const Kind& kind = kinds_[vacancy.shape];
+  Rng rng(options_.seed, opening_stream ^ mix_bits(stream));
+  if (!vacancy.host) {
+    const FreeSpace::Peak peak = space_.climb(vacancy.hole);
+    vacancy.hole = peak.position;
+    vacancy.clearance = peak.distance - spacing_;
+  }
+  vacancy.openings += 1;
+  vacancy.has_pose = false;
+  const Pose previous = vacancy.pose;
+  vacancy.pose = Pose{};
+  if (vacancy.host || vacancy.clearance > 0.3 * space_.distances().spacing()) {
+    const double least = least_radius(kind, vacancy.hole);
+    Tools& tools = tools_.local();
+    const PoseFinder::Request request{.shape = *kind.shape,
+                                      .hole = vacancy.hole,
+                                      .least_radius = 0.9 * least,
+                                      .largest_radius = kind.largest_radius,
+                                      .previous = previous};
+    const Pose pose = vacancy.host
+                          ? tools.finder.find_linked(request, opening_of(*vacancy.host), rng)
+                          : tools.finder.find(request, rng);
+    vacancy.pose = pose.radius > 0.0 ? polished(tools, kind, pose, least, rng) : Pose{};
+  }
+  double preference = 1.0;
+  if (vacancy.host && vacancy.pose.radius > 0.0) {
+    preference = link_preference;
+    vacancy.pose = linked(kind, vacancy.pose, *vacancy.host) ? vacancy.pose : Pose{};
+  }
+  vacancy.has_pose = vacancy.pose.radius > 0.0;
+  vacancy.fitted_at = static_cast<std::uint32_t>(instances_.size());
+  vacancy.key = preference * vacancy.pose.radius * kind.key_per_radius;
+}
+
+/// A ring's opening is worth another look: what starts there is luck.
+bool ShapePacker::keep_looking(Vacancy& vacancy) const {
+  constexpr int most_openings = 4;
+  constexpr double discouraged = 0.7;
+  if (!vacancy.host || vacancy.openings >= most_openings) {
+    return false;
+  }
+  vacancy.key = discouraged * link_key(*vacancy.host, kinds_[vacancy.shape]);
+  return true;
+}
+
+/// Opens the most promising places of a kind that have no pose, at once.
+void ShapePacker::open_batch(std::uint32_t k) {
+  constexpr double comparable = 0.6;
+  std::array<Id, batch> opened{};
+  std::size_t count = 0;
+  const double first_key = queue_[*queue_.top(k)].key;
+  while (count < batch) {
+    const auto id = queue_.top(k);
+    if (!id || queue_[*id].key < comparable * first_key || is_ready(queue_[*id])) {
+      break;
+    }
+    queue_.pop(k);
+    opened[count++] = *id;
+  }
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t i) { open(queue_[opened[i]], openings_ + i); });
+  openings_ += count;
+  Kind& kind = kinds_[k];
+  for (std::size_t i = 0; i < count; ++i) {
+    Vacancy& vacancy = queue_[opened[i]];
+    if (vacancy.clearance > 0.0) {
+      kind.outlook.learn(vacancy.pose.radius / vacancy.clearance);
+    }
+    if (vacancy.has_pose || keep_looking(vacancy)) {
+      queue_.push(opened[i]);
+    }
+  }
+}
+
+bool ShapePacker::leaves_target(const Kind& kind, const Instance& instance) const {
+  if (target_.surface != nullptr) {
+    return surfaces_come_within(spacing_, *target_.surface, Instance{}, kind.shape->collision(),
+                                instance) ||
+           has_part_outside(*target_.surface, kind.shape->collision(), instance);
+  }
+  const double unit = instance.scale * kind.shape->element().size();
+  return std::ranges::any_of(kind.shape->cover().spheres, [&](const Sphere& sphere) {
+    const dvec3 center =
+        instance.world_from_element(kind.shape->element().solid().mesh_from_unit(sphere.center));
+    return target_.target.clearance(center) < unit * sphere.radius + spacing_;
+  });
+}
+
+/// The exact test.
+bool ShapePacker::blocked(const Kind& kind, const Pose& pose) {
+  const Instance instance = pose.instance(0, kind.shape->element());
+  const CollisionShape& shape = kind.shape->collision();
+  ++tests_;
+  bool meets = false;
+  space_.visit_near(pose.center, pose.radius + spacing_, [&](std::uint32_t other) {
+    if (meets || looked_at_[other] == tests_) {
+      return;
+    }
+    looked_at_[other] = tests_;
+    const Pose& there = poses_[other];
+    if (glm::distance(there.center, pose.center) > there.radius + pose.radius + spacing_) {
+      return;
+    }
+    const Instance& neighbour = instances_[other];
+    const CollisionShape& its_shape = kinds_[kind_of_[neighbour.element]].shape->collision();
+    meets = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance) ||
+            has_part_inside(its_shape, neighbour, shape, instance) ||
+            has_part_inside(shape, instance, its_shape, neighbour) ||
+            (options_.linking == Linking::avoid && linked(kind, pose, other));
+  });
+  return meets || leaves_target(kind, instance);
+}
+
+/// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
+std::optional<Pose> ShapePacker::settled(const Kind& kind, const Pose& pose, double least) {
+  constexpr std::array shrinking{0.99, 0.975, 0.95, 0.92};
+  constexpr std::array growing{1.01, 1.02, 1.04, 1.07, 1.11, 1.16};
+  const auto scaled = [&](double factor) {
+    Pose other = pose;
+    other.radius = std::min(kind.largest_radius, factor * pose.radius);
+    return other;
+  };
+  if (blocked(kind, pose)) {
+    for (const double factor : shrinking) {
+      const Pose smaller = scaled(factor);
+      if (smaller.radius >= least && !blocked(kind, smaller)) {
+        return smaller;
+      }
+    }
+    return std::nullopt;
+  }
+  Pose best = pose;
+  for (const double factor : growing) {
+    const Pose larger = scaled(factor);
+    if (larger.radius <= best.radius || blocked(kind, larger)) {
+      break;
+    }
+    best = larger;
+  }
+  return best;
+}
+
+/// The largest radius listed, pushed against the surroundings.
+std::optional<Pose> ShapePacker::settled_at_fixed(const Kind& kind, const Pose& pose) {
+  constexpr double rounding = 1.0 + 1e-9;
+  const auto radius = std::ranges::find_if(
+      kind.radii, [&](double listed) { return listed <= pose.radius * rounding; });
+  if (radius == kind.radii.end()) {
+    return std::nullopt;
+  }
+  Pose loose = pose;
+  loose.radius = *radius;
+  const Pose close = tools_.local().finder.optimizer().hug(kind.shape->fine(), loose);
+  for (const Pose& candidate : {close, loose}) {
+    if (!blocked(kind, candidate)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether the pose's loops and those of an instance go round each other.
+bool ShapePacker::linked(const Kind& kind, const Pose& pose, std::uint32_t other) const {
+  const auto in_world = [](const Loop& loop, const Pose& where) {
+    Loop moved = loop;
+    for (dvec3& point : moved) {
+      point = where.center + where.rotation * (where.radius * point);
+    }
+    return moved;
+  };
+  const Kind& its_kind = kinds_[kind_of_[instances_[other].element]];
+  return std::ranges::any_of(kind.shape->loops(), [&](const Loop& loop) {
+    const Loop own = in_world(loop, pose);
+    return std::ranges::any_of(its_kind.shape->loops(), [&](const Loop& its_loop) {
+      return linking_number(own, in_world(its_loop, poses_[other])) != 0;
+    });
+  });
+}
+
+PoseFinder::Opening ShapePacker::opening_of(std::uint32_t host) const {
+  const Loop& ring = *kinds_[kind_of_[instances_[host].element]].shape->ring();
+  const Pose& pose = poses_[host];
+  dvec3 middle(0.0);
+  for (const dvec3& point : ring) {
+    middle += point / static_cast<double>(ring.size());
+  }
+  return {pose.center + pose.rotation * (pose.radius * middle),
+          pose.rotation * glm::normalize(area_vector(ring)), pose.radius};
+}
+
+/// As if a ring of the host's size would fit.
+double ShapePacker::link_key(std::uint32_t host, const Kind& kind) const {
+  return link_preference * std::min(poses_[host].radius, kind.largest_radius) * kind.key_per_radius;
+}
+
+void ShapePacker::add_linked_vacancies(std::uint32_t host) {
+  if (kinds_[kind_of_[instances_[host].element]].shape->ring() == nullptr) {
+    return;
+  }
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    const Kind& kind = kinds_[k];
+    if (kind.shape->ring() == nullptr) {
+      continue;
+    }
+    Vacancy vacancy;
+    vacancy.hole = opening_of(host).center;
+    vacancy.shape = k;
+    vacancy.host = host;
+    vacancy.key = link_key(host, kind);
+    queue_.add(vacancy);
+  }
+}
+
+/// Which of the kind's elements: one that may have this radius, by quota, or by lot.
+std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double radius) const {
+  std::vector<char> available(ingredients_.size(), 0);
+  std::vector<std::uint32_t> possible;
+  for (const std::uint32_t e : kinds_[k].elements) {
+    const double size = ingredients_[e].shape.element().size();
+    const bool listed = std::ranges::any_of(ingredients_[e].scales,
+                                            [&](double scale) { return scale * size == radius; });
+    if (options_.scaling == Scaling::to_hole || listed) {
+      available[e] = 1;
+      possible.push_back(e);
+    }
+  }
+  if (options_.choose != Choose::largest) {
+    return quota_.farthest_behind(available);
+  }
+  Rng rng(options_.seed, placement_stream + instances_.size());
+  return possible[rng.below(possible.size())];
+}
+
+/// Fills a place whose pose fits by the spheres, if it does exactly.
+void ShapePacker::fill(Id id) {
+  constexpr double discouraged = 0.85;
+  constexpr int most_openings = 6;
+  Vacancy& vacancy = queue_[id];
+  Kind& kind = kinds_[vacancy.shape];
+  queue_.pop(vacancy.shape);
+  const double least = least_radius(kind, vacancy.hole);
+  const std::optional<Pose> pose = options_.scaling == Scaling::fixed
+                                       ? settled_at_fixed(kind, vacancy.pose)
+                                       : settled(kind, vacancy.pose, least);
+  vacancy.has_pose = false;
+  if (!pose) {
+    vacancy.pose = Pose{};
+    vacancy.key *= discouraged;
+    if (vacancy.openings < most_openings && vacancy.key >= least * kind.key_per_radius) {
+      queue_.push(id);
+    }
+    return;
+  }
+  const auto element = next_element(vacancy.shape, pose->radius);
+  if (!element) {
+    return;
+  }
+  const Element& made = kind.shape->element();
+  double scale = pose->radius / made.size();
+  for (const double listed : ingredients_[*element].scales) {
+    scale = listed * made.size() == pose->radius ? listed : scale;
+  }
+  const auto index = static_cast<std::uint32_t>(instances_.size());
+  instances_.push_back(pose->instance(*element, made, scale));
+  poses_.push_back(*pose);
+  looked_at_.push_back(0);
+  quota_.count(*element);
+  const auto host = vacancy.host;
+  if (!host) {
+    kind.holes.remove(vacancy.hole);
+  }
+  Stopwatch updating;
+  space_.add(*kind.shape, *pose, index);
+  add_holes(space_.changed_peaks(0.0F));
+  if (options_.linking == Linking::seek) {
+    add_linked_vacancies(index);
+    if (host) {
+      add_linked_vacancies(*host);
+    }
+  }
+  update_seconds_ += updating.seconds();
+}
+
+/// Keys fall steadily on a scale of logarithms.
+void ShapePacker::report(double key, Status& status) {
+  if (status.stop_requested()) {
+    throw Interrupted();
+  }
+  if (instances_.size() % 16 != 1) {
+    return;
+  }
+  double last = first_key_;
+  for (const Kind& kind : kinds_) {
+    last = std::min(last, kind.least_radius * kind.key_per_radius);
+  }
+  const double fraction =
+      last < first_key_ ? std::log(first_key_ / key) / std::log(first_key_ / last) : 0.0;
+  status.update(glm::clamp(fraction, 0.0, 1.0),
+                fmt::format("{} instances", grouped(instances_.size())));
+}
+
+Packing ShapePacker::run(Status& status) {
+  const Stopwatch total;
+  add_holes(space_.peaks(0.0F));
+  while (const auto kind = next_kind()) {
+    const Id id = *queue_.top(*kind);
+    first_key_ = std::max(first_key_, queue_[id].key);
+    report(queue_[id].key, status);
+    if (is_ready(queue_[id])) {
+      fill(id);
+    } else {
+      open_batch(*kind);
+    }
+  }
+  Packing packing;
+  packing.instances = std::move(instances_);
+  packing.voxels = space_.distances().size();
+  packing.voxels_inside_target = space_.points_inside_target();
+  packing.voxels_inside_instances = space_.points_inside_instances();
+  packing.largest_hole = std::max(0.0F, space_.largest_distance());
+  packing.update_seconds = update_seconds_;
+  packing.place_seconds = total.seconds() - update_seconds_;
+  return packing;
+}
+
+}  // namespace
+
+Packing pack_by_shape(const ShapeTarget& target, FreeSpace& space,
+                      std::span<const ShapeIngredient> ingredients, const PackingOptions& options,
+                      Status& status) {
+  return ShapePacker(target, space, ingredients, options).run(status);
+}
+
+}  // namespace collage

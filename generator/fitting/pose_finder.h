@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fitting/free_space.h"
+#include "fitting/pose_optimizer.h"
+
+namespace collage {
+
+/// Looks for the largest pose of an element round a hole: several starts, first with few spheres,
+/// the best of them with all. One for each thread.
+class PoseFinder {
+ public:
+  struct Request {
+    const ShapedElement& shape;
+    dvec3 hole;
+    /// A pose found smaller than this is of no use.
+    double least_radius = 0.0;
+    double largest_radius = 1e300;
+    /// What was found here before, or nowhere.
+    Pose previous;
+  };
+  /// A ring to hang another one in.
+  struct Opening {
+    dvec3 center;
+    /// Unit vector through the opening.
+    dvec3 axis;
+    double radius;
+  };
+
+  PoseFinder(const FreeSpace& space, double margin)
+      : space_(space), optimizer_(space.distances(), margin) {}
+
+  [[nodiscard]] PoseOptimizer& optimizer() { return optimizer_; }
+  /// Radius 0 where none was found that is large enough.
+  Pose find(const Request& request, Rng& rng);
+  /// Starts with the element's own ring through the opening; it need not stay there.
+  Pose find_linked(const Request& request, const Opening& opening, Rng& rng);
+
+ private:
+  Pose refine(const Request& request, Rng& rng);
+  [[nodiscard]] dvec3 longest_chord(const dvec3& hole) const;
+  void add_starts(const Request& request, Rng& rng);
+
+  const FreeSpace& space_;
+  PoseOptimizer optimizer_;
+  std::vector<Pose> poses_;
+};
+
+}  // namespace collage
