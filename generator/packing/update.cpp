@@ -14,7 +14,7 @@ namespace collage {
 namespace {
 
 /// The element's coarse grid serves instances of at most this many voxels across their radius.
-constexpr double coarse_radius_voxels = 0.0;
+constexpr double coarse_radius_voxels = 3.0;
 /// A footprint of more blocks than this is worth being shared among threads.
 constexpr std::size_t blocks_on_one_thread = 64;
 
@@ -65,7 +65,7 @@ class Newcomer {
   [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
     const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
     if (farthest < DistanceBounds::reach) {
-      return placed_.bounds().squared(query, detail_);
+      return placed_.element().distance_bounds().squared(query, detail_);
     }
     const float length = glm::length(query);  // within the unit ball: between length - 1 and + 1
     return {(length - 1.0F) * (length - 1.0F), 4.0F * length};
@@ -150,11 +150,20 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* befo
       continue;
     }
     const std::size_t row = static_cast<std::size_t>(yz) * VoxelGrid::block_side;
-    for (std::size_t x = 0; x < VoxelGrid::block_side; ++x) {
+    const auto may_change = [&](std::size_t x) {
       const float upper = block_.upper[row + x];
       const float near = radius + upper;
-      if (upper >= 0.0F && squared_x[x] + squared_yz < near * near) {
+      return static_cast<int>(upper >= 0.0F) &
+             static_cast<int>(squared_x[x] + squared_yz < near * near);
+    };
+    int voxels = 0;  // counted by vector instructions
+    for (std::size_t x = 0; x < VoxelGrid::block_side; ++x) {
+      voxels += may_change(x);
+    }
+    for (std::size_t x = 0; voxels > 0; ++x) {
+      if (may_change(x) != 0) {
         visit(row + x);
+        --voxels;
       }
     }
   }
