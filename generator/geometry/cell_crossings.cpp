@@ -98,9 +98,8 @@ void CellCrossings::list_triangles(const Mesh& mesh) {
   items_.resize(starts_.back());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    visit_cells(triangles_[t], [&](std::size_t cell) {
-      items_[next[cell]++] = static_cast<std::uint32_t>(t);
-    });
+    visit_cells(triangles_[t],
+                [&](std::size_t cell) { items_[next[cell]++] = static_cast<std::uint32_t>(t); });
   }
 }
 

@@ -139,8 +139,8 @@ ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = 
 std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance,
                                                     std::optional<std::uint32_t> hint) const {
   const double margin = error(query);
-  EmbreeSearch search{
-      {&hierarchy_->facets, hierarchy_->surface, query, {{}, max_distance, 0}}, margin};
+  EmbreeSearch search{{&hierarchy_->facets, hierarchy_->surface, query, {{}, max_distance, 0}},
+                      margin};
   if (hint) {
     search.visit(*hint);
   }

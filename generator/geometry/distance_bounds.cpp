@@ -60,8 +60,8 @@ std::uint32_t DistanceBounds::hint(const dvec3& query) const {
 }
 
 std::uint32_t DistanceBounds::Grid::hint(const dvec3& query) const {
-  const dvec3 at = glm::round((query + static_cast<double>(half_side)) *
-                              static_cast<double>(cells_per_unit_));
+  const dvec3 at =
+      glm::round((query + static_cast<double>(half_side)) * static_cast<double>(cells_per_unit_));
   const glm::ivec3 node(glm::clamp(at, dvec3(0.0), dvec3(cells_)));
   return triangles_[node_index(node, cells_)];
 }
@@ -82,8 +82,8 @@ DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>&
     for (at.y = 0; at.y <= cells; ++at.y) {
       for (at.x = 0; at.x <= cells; ++at.x) {
         const dvec3 point = side * dvec3(at) - static_cast<double>(half_side);
-        concave_.push_back(static_cast<float>(node(at).squared_distance -
-                                              glm::dot(point, point) - rounding));
+        concave_.push_back(
+            static_cast<float>(node(at).squared_distance - glm::dot(point, point) - rounding));
         triangles_.push_back(node(at).triangle);
       }
     }

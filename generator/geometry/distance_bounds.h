@@ -65,7 +65,8 @@ class DistanceBounds {
       const glm::ivec3 cell(at);
       const glm::vec3 t = at - glm::vec3(cell);
       const int row = cells_ + 1;
-      const float* node = &concave_[static_cast<std::size_t>((cell.z * row + cell.y) * row + cell.x)];
+      const float* node =
+          &concave_[static_cast<std::size_t>((cell.z * row + cell.y) * row + cell.x)];
       const auto along_x = [&t](const float* from) { return from[0] + (from[1] - from[0]) * t.x; };
       const auto along_y = [&](const float* from) {
         const float first = along_x(from);

@@ -97,8 +97,8 @@ bool Solid::inside(const dvec3& unit_point) const {
   if (!in_range(cell.x) || !in_range(cell.y) || !in_range(cell.z)) {
     return false;  // outside of the ball that holds the mesh
   }
-  const std::size_t index = cell_index(static_cast<int>(cell.x), static_cast<int>(cell.y),
-                                       static_cast<int>(cell.z));
+  const std::size_t index =
+      cell_index(static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z));
   const Cell state = cells_[index];
   if (state != Cell::mixed) {
     return state == Cell::inside;

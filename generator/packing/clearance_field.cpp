@@ -16,7 +16,8 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
     : grid_(grid) {
   const std::size_t blocks = grid_.block_count();
   const std::size_t voxels = blocks * VoxelGrid::block_voxels;
-  require_memory(voxels * (sizeof(float) + sizeof(NearestSurface)), "the voxels", "target.resolution");
+  require_memory(voxels * (sizeof(float) + sizeof(NearestSurface)), "the voxels",
+                 "target.resolution");
   upper_.assign(voxels, -1.0F);
   nearest_.assign(voxels, NearestSurface(target_surface));
   leaves_ = std::bit_ceil(blocks);

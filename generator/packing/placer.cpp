@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "packing/orientation.h"
+#include "packing/rounding.h"
 
 namespace collage {
 namespace {
@@ -40,8 +41,9 @@ Placer::Placer(std::span<const Ingredient> ingredients, const PackingOptions& op
       chooser_(candidates(ingredients), options),
       seed_(options.seed),
       spacing_(options.spacing * longest_side),
-      least_clearance_(spacing_ + std::max(options.threshold * longest_side,
-                                           smallest_size(ingredients, options.scaling))) {}
+      least_clearance_(rounded_down(
+          (1.0 - 1e-9) * (spacing_ + std::max(options.threshold * longest_side,
+                                              smallest_size(ingredients, options.scaling))))) {}
 
 std::optional<Instance> Placer::place(const Hole& hole, std::size_t index,
                                       const Surfaces& surfaces) const {
@@ -55,9 +57,8 @@ std::optional<Instance> Placer::place(const Hole& hole, std::size_t index,
   Instance instance;
   instance.element = choice->element;
   instance.scale = choice->scale;
-  instance.rotation =
-      orientation(element.farthest_direction(), surfaces.direction(hole.nearest, hole.center),
-                  spin_radians);
+  instance.rotation = orientation(element.farthest_direction(),
+                                  surfaces.direction(hole.nearest, hole.center), spin_radians);
   instance.translation = hole.center - instance.rotation * (choice->scale * element.center());
   return instance;
 }

@@ -28,7 +28,7 @@ class Placer {
          double longest_side);
 
   /// A hole of less clearance than this stays empty.
-  [[nodiscard]] double least_clearance() const { return least_clearance_; }
+  [[nodiscard]] float least_clearance() const { return least_clearance_; }
   /// For the hole of instance `index`; nothing where every element is larger than it.
   [[nodiscard]] std::optional<Instance> place(const Hole& hole, std::size_t index,
                                               const Surfaces& surfaces) const;
@@ -38,7 +38,7 @@ class Placer {
   Chooser chooser_;
   std::uint64_t seed_;
   double spacing_;
-  double least_clearance_;
+  float least_clearance_;
 };
 
 }  // namespace collage

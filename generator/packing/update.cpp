@@ -80,13 +80,13 @@ class Newcomer {
 /// Updates the voxels of one block.
 class BlockUpdate {
  public:
-  BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Newcomer& newcomer,
-              double useless)
+  BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
+              const Newcomer& newcomer, float useless)
       : field_(field),
         surfaces_(surfaces),
         id_(id),
         newcomer_(newcomer),
-        useless_(rounded_down(useless * (1.0 - 1e-9))),
+        useless_(useless),
         voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
 
   /// Returns the number of voxels flagged.
@@ -133,7 +133,8 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* befo
   // From the voxels' centres, which are so near to the sample points.
   const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
   const auto radius = static_cast<float>(placed.radius() + off_center);
-  const float reach = radius + field_.block_maximum(index);
+  const float maximum = field_.block_maximum(index);
+  const float reach = radius + (maximum < useless_ ? 0.0F : maximum);
   const dvec3 first_center = grid.origin + (dvec3(block_.first_voxel) + 0.5) * grid.voxel_side;
   const glm::vec3 first(first_center - placed.center());
   const auto side = static_cast<float>(grid.voxel_side);
@@ -152,7 +153,7 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* befo
     const std::size_t row = static_cast<std::size_t>(yz) * VoxelGrid::block_side;
     const auto may_change = [&](std::size_t x) {
       const float upper = block_.upper[row + x];
-      const float near = radius + upper;
+      const float near = radius + (upper < useless_ ? 0.0F : upper);
       return static_cast<int>(upper >= 0.0F) &
              static_cast<int>(squared_x[x] + squared_yz < near * near);
     };
@@ -184,7 +185,9 @@ void BlockUpdate::visit(std::size_t slot) {
     ++flagged_;
     return;
   }
-  set_distance(slot, at);
+  if (block_.upper[slot] >= useless_) {
+    set_distance(slot, at);
+  }
 }
 
 void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
@@ -196,10 +199,10 @@ void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
   }
   if (bounds.upper < nearest.lower(upper, voxel_side_)) {
     keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
-  } else if (std::min(bounds.upper, upper) >= useless_) {
+  } else if (bounds.upper >= useless_) {
     resolve(slot, at, bounds);
-  } else if (bounds.upper < upper || !nearest.is_unknown()) {
-    keep(slot, std::min(bounds.upper, upper), NearestSurface::unknown(id_));
+  } else {
+    keep(slot, bounds.upper, NearestSurface(id_));
   }
 }
 
@@ -237,7 +240,7 @@ BlockRange footprint(const VoxelGrid& grid, const Hole& hole) {
 }
 
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
-            double useless, Update& done) {
+            float useless, Update& done) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(surfaces.instances[id - 1]);
   const Newcomer newcomer(placed, grid);
@@ -257,7 +260,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
           continue;
         }
         const dvec3 corner = grid.origin + dvec3(at) * block_side;
-        const double reach = placed.radius() + maximum;
+        const double reach = placed.radius() + (maximum < useless ? 0.0F : maximum);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
           done.maxima.push_back({index, maximum});
         }
@@ -299,17 +302,18 @@ void undo(ClearanceField& field, const Update& done) {
   }
 }
 
-float make_exact(ClearanceField& field, const Surfaces& surfaces,
-                 const ClearanceField::Peak& peak) {
+float make_exact(ClearanceField& field, const Surfaces& surfaces, const ClearanceField::Peak& peak,
+                 float useless) {
   const ClearanceField::Block block = field.block(peak.block);
   NearestSurface& nearest = block.nearest[peak.slot];
+  float& upper = block.upper[peak.slot];
   const dvec3 point = field.sample_point(peak);
-  if (nearest.is_unknown()) {
+  if (upper < useless) {
     const auto [id, clearance] = surfaces.nearest(point);
     nearest = NearestSurface(id);
-    block.upper[peak.slot] = clearance;
+    upper = clearance;
   } else if (!nearest.is_exact()) {
-    block.upper[peak.slot] = surfaces.clearance(nearest.id(), point, block.upper[peak.slot]);
+    upper = surfaces.clearance(nearest.id(), point, upper);
     nearest = NearestSurface(nearest.id());
   }
   return field.scan_block(peak.block);

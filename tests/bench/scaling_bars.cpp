@@ -27,8 +27,8 @@ class Case {
     Stopwatch wall;
     double packing_seconds = 0.0;
     std::optional<ClearanceField> field;
-    const double sampling_seconds = measure(
-        threads, [&] { field.emplace(target_, target_.voxels(voxels, 0.5, 1), status); });
+    const double sampling_seconds =
+        measure(threads, [&] { field.emplace(target_, target_.voxels(voxels, 0.5, 1), status); });
     if (sampling == Sampling::without) {
       wall = Stopwatch();
     }
@@ -72,7 +72,8 @@ std::vector<Bar> faces() {
 }  // namespace
 
 std::vector<Group> scaling_bars() {
-  return {{"scaling-resolution", resolution}, {"scaling-threads", threads}, {"scaling-faces", faces}};
+  return {
+      {"scaling-resolution", resolution}, {"scaling-threads", threads}, {"scaling-faces", faces}};
 }
 
 }  // namespace collage::bench

@@ -35,9 +35,9 @@ std::vector<Bar> against_the_thesis() {
   Packing packing;
   const double fast =
       measure(1, [&] { packing = pack(target, field, ingredients, options, status); });
-  test::ThesisTwin twin(
-      target, grid, {{mesh, element.center(), element.size(), element.farthest_direction()}},
-      options);
+  test::ThesisTwin twin(target, grid,
+                        {{mesh, element.center(), element.size(), element.farthest_direction()}},
+                        options);
   std::size_t twin_instances = 0;
   const double slow = measure(1, [&] { twin_instances = twin.run().size(); });
   // Theirs are distances in other arithmetic: the two part where two holes are as good as equal.

@@ -70,8 +70,7 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
                          const Hole& hole) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(surfaces.instances[id - 1]);
-  const auto [from, to] =
-      voxels_within(grid, placed.center(), placed.radius() + hole.clearance);
+  const auto [from, to] = voxels_within(grid, placed.center(), placed.radius() + hole.clearance);
   const glm::ivec3 first = from / VoxelGrid::block_side;
   const glm::ivec3 span = (to + (VoxelGrid::block_side - 1)) / VoxelGrid::block_side - first;
   std::vector<std::size_t> blocks;
@@ -121,8 +120,8 @@ Packing exact_pack(const Target& target, ClearanceField& field,
       break;
     }
     surfaces.instances.push_back(*instance);
-    packing.voxels_inside_instances += exact_update(
-        field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole);
+    packing.voxels_inside_instances +=
+        exact_update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole);
   }
   packing.instances = std::move(surfaces.instances);
   return packing;
