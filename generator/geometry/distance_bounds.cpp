@@ -42,11 +42,28 @@ std::vector<DistanceBounds::Node> DistanceBounds::sample(const ClosestPointIndex
       const glm::ivec3 at(x, yz % row, yz / row);
       const dvec3 point = side * dvec3(at) - half_side;
       const auto closest = index.find(point, reach);
-      nodes[node_index(at, cells)] = {closest->distance * closest->distance, closest->point};
+      nodes[node_index(at, cells)] = {closest->distance * closest->distance, closest->point,
+                                      closest->triangle};
       reach = closest->distance + 1.001 * side;
     }
   });
   return nodes;
+}
+
+std::uint32_t DistanceBounds::hint(const dvec3& query) const {
+  const double farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
+  std::size_t level = 0;
+  while (level + 1 < fine_.size() && farthest >= fine_[level].half_side) {
+    ++level;
+  }
+  return fine_[level].hint(query);
+}
+
+std::uint32_t DistanceBounds::Grid::hint(const dvec3& query) const {
+  const dvec3 at =
+      glm::round((query + static_cast<double>(half_side)) * static_cast<double>(cells_per_unit_));
+  const glm::ivec3 node(glm::clamp(at, dvec3(0.0), dvec3(cells_)));
+  return triangles_[node_index(node, cells_)];
 }
 
 DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>& nodes, int stride)
@@ -67,6 +84,7 @@ DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>&
         const dvec3 point = side * dvec3(at) - static_cast<double>(half_side);
         concave_.push_back(
             static_cast<float>(node(at).squared_distance - glm::dot(point, point) - rounding));
+        triangles_.push_back(node(at).triangle);
       }
     }
   }

@@ -45,16 +45,21 @@ class DistanceBounds {
     }
     return grids[level].squared(query);
   }
+  /// A triangle that is likely to be among the nearest, to begin an exact search with.
+  [[nodiscard]] std::uint32_t hint(const dvec3& query) const;
 
  private:
   struct Node {
     double squared_distance;
     dvec3 closest;
+    std::uint32_t triangle;
   };
   /// A cube about the origin.
   class Grid {
    public:
     Grid(float half_width, int cells, const std::vector<Node>& nodes, int stride);
+    /// The triangle of a node near the query, or near that end of the grid.
+    [[nodiscard]] std::uint32_t hint(const dvec3& query) const;
     [[nodiscard]] Squared squared(const glm::vec3& query) const {
       const glm::vec3 at = (query + half_side) * cells_per_unit_;
       const glm::ivec3 cell(at);
@@ -81,6 +86,7 @@ class DistanceBounds {
     /// d² - |x|² at the nodes, rounded down.
     std::vector<float> concave_;
     std::vector<float> gap_;
+    std::vector<std::uint32_t> triangles_;
   };
 
   static std::vector<Node> sample(const ClosestPointIndex& index, double half_side, int cells);

@@ -20,24 +20,16 @@ class NearestSurface {
   explicit NearestSurface(SurfaceId id) : bits_(id) {}
   /// `gap_voxels` ≥ 0.
   NearestSurface(SurfaceId id, float gap_voxels) : bits_(id | code(gap_voxels) << 24) {}
-  /// Nothing is known but the upper bound; `id` is a guess.
-  static NearestSurface unknown(SurfaceId id) {
-    NearestSurface nearest(id);
-    nearest.bits_ |= largest_code << 24;
-    return nearest;
-  }
-
   bool operator==(const NearestSurface&) const = default;
 
   [[nodiscard]] SurfaceId id() const { return bits_ & most_surfaces; }
   [[nodiscard]] bool is_exact() const { return bits_ >> 24 == 0; }
-  [[nodiscard]] bool is_unknown() const { return bits_ >> 24 == largest_code; }
   /// For a bound in world units. Not below 0.
   [[nodiscard]] float lower(float upper, float voxel_side) const {
     if (is_exact()) {
       return upper;
     }
-    if (is_unknown()) {
+    if (bits_ >> 24 == largest_code) {  // that or more
       return 0.0F;
     }
     const auto gap = std::bit_cast<float>(((bits_ >> 24) + smallest_bits) << 20);

@@ -55,6 +55,7 @@ class Packer {
   [[nodiscard]] double threshold() const { return options_.threshold * longest_side_; }
 
   bool find_largest_hole(Filling& filling);
+  double largest_clearance();
   void find_holes();
   void fill_holes();
   bool accept(Packing& packing);
@@ -68,7 +69,6 @@ class Packer {
 
   std::array<Filling, 64> fillings_;
   std::size_t count_ = 0;
-  double largest_hole_ = 0.0;
   double first_room_ = 0.0;
   std::size_t reported_ = 0;
 };
@@ -89,41 +89,46 @@ Packing Packer::run(Status& status) {
       find_holes();
     }
   }
+  packing.largest_hole = largest_clearance();
   packing.instances = std::move(surfaces_.instances);
   packing.voxels = field_.grid().size;
   packing.voxels_inside_target = field_.voxels_inside();
-  packing.largest_hole = std::max(0.0, largest_hole_);
   packing.place_seconds = total.seconds() - packing.update_seconds;
   return packing;
 }
 
-/// False where it is below the threshold.
+/// False where none is large enough.
 bool Packer::find_largest_hole(Filling& filling) {
-  for (;;) {
-    const std::optional<ClearanceField::Peak> peak = field_.peak();
-    if (!peak) {
-      filling.hole = {};
-      return false;
-    }
+  const float least = placer_.least_clearance();
+  for (auto peak = field_.peak(); peak && peak->upper >= least; peak = field_.peak()) {
     const NearestSurface nearest = field_.block(peak->block).nearest[peak->slot];
     if (nearest.is_exact()) {
       filling.peak = *peak;
       filling.hole = {field_.sample_point(*peak), peak->upper, nearest.id()};
       return room(filling.hole) >= threshold();
     }
-    field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak));
+    field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak, least));
   }
+  return false;
+}
+
+/// The clearance of the largest hole, however small.
+double Packer::largest_clearance() {
+  while (const auto peak = field_.peak()) {
+    const float maximum = make_exact(field_, surfaces_, *peak, placer_.least_clearance());
+    field_.set_block_maximum(peak->block, maximum);
+    if (field_.block(peak->block).upper[peak->slot] == peak->upper) {
+      return peak->upper;
+    }
+  }
+  return 0.0;
 }
 
 void Packer::find_holes() {
   const std::size_t most = tbb::this_task_arena::max_concurrency() == 1 ? 1 : fillings_.size();
   for (count_ = 0; count_ < most; ++count_) {
     Filling& next = fillings_[count_];
-    const bool found = find_largest_hole(next);
-    if (count_ == 0) {
-      largest_hole_ = next.hole.clearance;
-    }
-    if (!found) {
+    if (!find_largest_hole(next)) {
       break;
     }
     next.footprint = footprint(field_.grid(), next.hole);
@@ -170,7 +175,6 @@ bool Packer::accept(Packing& packing) {
     if (filling.peak.upper <= largest_left) {
       break;
     }
-    largest_hole_ = filling.hole.clearance;
     if (!filling.instance) {
       fits = placer_.fits_elsewhere(filling.hole);
       if (fits) {
@@ -203,8 +207,8 @@ void Packer::report(Status& status) {
   if (status.stop_requested()) {
     throw Interrupted();
   }
-  const Hole hole{{}, largest_hole_};
-  const double fraction = std::log(first_room_ / room(hole)) / std::log(first_room_ / threshold());
+  const double last_room = room(fillings_[0].hole);
+  const double fraction = std::log(first_room_ / last_room) / std::log(first_room_ / threshold());
   status.update(std::min(fraction, 1.0), fmt::format("{} instances", grouped(placed)));
 }
 

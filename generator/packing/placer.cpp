@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "packing/orientation.h"
+#include "packing/rounding.h"
 
 namespace collage {
 namespace {
@@ -43,8 +44,9 @@ Placer::Placer(std::span<const Ingredient> ingredients, const PackingOptions& op
       left_(target_box.min.x),
       width_(target_box.extent().x),
       spacing_(options.spacing * target_box.longest_side()),
-      least_clearance_(spacing_ + std::max(options.threshold * target_box.longest_side(),
-                                           smallest_size(ingredients, options.scaling))) {}
+      least_clearance_(rounded_down(
+          (1.0 - 1e-9) * (spacing_ + std::max(options.threshold * target_box.longest_side(),
+                                              smallest_size(ingredients, options.scaling))))) {}
 
 std::optional<Instance> Placer::place(const Hole& hole, std::size_t index,
                                       const Surfaces& surfaces) const {

@@ -31,7 +31,7 @@ class Placer {
          const Box& target_box);
 
   /// A hole of less clearance than this stays empty.
-  [[nodiscard]] double least_clearance() const { return least_clearance_; }
+  [[nodiscard]] float least_clearance() const { return least_clearance_; }
   /// For the hole of instance `index`; nothing where every element that may lie there is larger.
   [[nodiscard]] std::optional<Instance> place(const Hole& hole, std::size_t index,
                                               const Surfaces& surfaces) const;
@@ -47,7 +47,7 @@ class Placer {
   double left_;
   double width_;
   double spacing_;
-  double least_clearance_;
+  float least_clearance_;
 };
 
 }  // namespace collage

@@ -23,7 +23,8 @@ PlacedElement::PlacedElement(const Element& element, const Instance& instance)
 
 float PlacedElement::distance(const dvec3& unit, double limit) const {
   const double error = ClosestPointIndex::error(unit);
-  const auto closest = element_->distance_index().find(unit, limit / radius_ + error);
+  const auto closest = element_->distance_index().find(unit, limit / radius_ + error,
+                                                       element_->distance_bounds().hint(unit));
   return closest ? rounded_down(std::max(0.0, closest->distance - error) * radius_)
                  : std::numeric_limits<float>::infinity();
 }

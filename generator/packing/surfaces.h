@@ -27,7 +27,7 @@ class PlacedElement {
   /// Exact distance in world units, rounded down to float; infinite where that is not below
   /// `limit`. `unit` is outside. The result is the same for every limit that it is below.
   [[nodiscard]] float distance(const dvec3& unit, double limit) const;
-  [[nodiscard]] const DistanceBounds& bounds() const { return element_->distance_bounds(); }
+  [[nodiscard]] const Element& element() const { return *element_; }
 
  private:
   const Element* element_;

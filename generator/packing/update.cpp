@@ -14,7 +14,7 @@ namespace collage {
 namespace {
 
 /// The element's coarse grid serves instances of at most this many voxels across their radius.
-constexpr double coarse_radius_voxels = 0.0;
+constexpr double coarse_radius_voxels = 3.0;
 /// A footprint of more blocks than this is worth being shared among threads.
 constexpr std::size_t blocks_on_one_thread = 64;
 
@@ -65,7 +65,7 @@ class Newcomer {
   [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
     const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
     if (farthest < DistanceBounds::reach) {
-      return placed_.bounds().squared(query, detail_);
+      return placed_.element().distance_bounds().squared(query, detail_);
     }
     const float length = glm::length(query);  // within the unit ball: between length - 1 and + 1
     return {(length - 1.0F) * (length - 1.0F), 4.0F * length};
@@ -81,12 +81,12 @@ class Newcomer {
 class BlockUpdate {
  public:
   BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
-              const Newcomer& newcomer, double useless)
+              const Newcomer& newcomer, float useless)
       : field_(field),
         surfaces_(surfaces),
         id_(id),
         newcomer_(newcomer),
-        useless_(rounded_down(useless * (1.0 - 1e-9))),
+        useless_(useless),
         voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
 
   /// Returns the number of voxels flagged.
@@ -133,7 +133,8 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* befo
   // From the voxels' centres, which are so near to the sample points.
   const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
   const auto radius = static_cast<float>(placed.radius() + off_center);
-  const float reach = radius + field_.block_maximum(index);
+  const float maximum = field_.block_maximum(index);
+  const float reach = radius + (maximum < useless_ ? 0.0F : maximum);
   const dvec3 first_center = grid.origin + (dvec3(block_.first_voxel) + 0.5) * grid.voxel_side;
   const glm::vec3 first(first_center - placed.center());
   const auto side = static_cast<float>(grid.voxel_side);
@@ -150,11 +151,20 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* befo
       continue;
     }
     const std::size_t row = static_cast<std::size_t>(yz) * VoxelGrid::block_side;
-    for (std::size_t x = 0; x < VoxelGrid::block_side; ++x) {
+    const auto may_change = [&](std::size_t x) {
       const float upper = block_.upper[row + x];
-      const float near = radius + upper;
-      if (upper >= 0.0F && squared_x[x] + squared_yz < near * near) {
+      const float near = radius + (upper < useless_ ? 0.0F : upper);
+      return static_cast<int>(upper >= 0.0F) &
+             static_cast<int>(squared_x[x] + squared_yz < near * near);
+    };
+    int voxels = 0;  // counted by vector instructions
+    for (std::size_t x = 0; x < VoxelGrid::block_side; ++x) {
+      voxels += may_change(x);
+    }
+    for (std::size_t x = 0; voxels > 0; ++x) {
+      if (may_change(x) != 0) {
         visit(row + x);
+        --voxels;
       }
     }
   }
@@ -175,7 +185,9 @@ void BlockUpdate::visit(std::size_t slot) {
     ++flagged_;
     return;
   }
-  set_distance(slot, at);
+  if (block_.upper[slot] >= useless_) {
+    set_distance(slot, at);
+  }
 }
 
 void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
@@ -187,10 +199,10 @@ void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
   }
   if (bounds.upper < nearest.lower(upper, voxel_side_)) {
     keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
-  } else if (std::min(bounds.upper, upper) >= useless_) {
+  } else if (bounds.upper >= useless_) {
     resolve(slot, at, bounds);
-  } else if (bounds.upper < upper || !nearest.is_unknown()) {
-    keep(slot, std::min(bounds.upper, upper), NearestSurface::unknown(id_));
+  } else {
+    keep(slot, bounds.upper, NearestSurface(id_));
   }
 }
 
@@ -228,7 +240,7 @@ BlockRange footprint(const VoxelGrid& grid, const Hole& hole) {
 }
 
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
-            double useless, Update& done) {
+            float useless, Update& done) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(surfaces.instances[id - 1]);
   const Newcomer newcomer(placed, grid);
@@ -248,7 +260,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
           continue;
         }
         const dvec3 corner = grid.origin + dvec3(at) * block_side;
-        const double reach = placed.radius() + maximum;
+        const double reach = placed.radius() + (maximum < useless ? 0.0F : maximum);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
           done.maxima.push_back({index, maximum});
         }
@@ -290,17 +302,18 @@ void undo(ClearanceField& field, const Update& done) {
   }
 }
 
-float make_exact(ClearanceField& field, const Surfaces& surfaces,
-                 const ClearanceField::Peak& peak) {
+float make_exact(ClearanceField& field, const Surfaces& surfaces, const ClearanceField::Peak& peak,
+                 float useless) {
   const ClearanceField::Block block = field.block(peak.block);
   NearestSurface& nearest = block.nearest[peak.slot];
+  float& upper = block.upper[peak.slot];
   const dvec3 point = field.sample_point(peak);
-  if (nearest.is_unknown()) {
+  if (upper < useless) {
     const auto [id, clearance] = surfaces.nearest(point);
     nearest = NearestSurface(id);
-    block.upper[peak.slot] = clearance;
+    upper = clearance;
   } else if (!nearest.is_exact()) {
-    block.upper[peak.slot] = surfaces.clearance(nearest.id(), point, block.upper[peak.slot]);
+    upper = surfaces.clearance(nearest.id(), point, upper);
     nearest = NearestSurface(nearest.id());
   }
   return field.scan_block(peak.block);

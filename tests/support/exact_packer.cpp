@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <tbb/parallel_for.h>
+
+#include "packing/rounding.h"
 
 namespace collage::test {
 namespace {
@@ -17,6 +20,14 @@ std::pair<glm::ivec3, glm::ivec3> voxels_within(const VoxelGrid& grid, const dve
   const dvec3 end(grid.size);
   return {glm::ivec3(glm::clamp(from, dvec3(0.0), end)),
           glm::ivec3(glm::clamp(to, dvec3(0.0), end))};
+}
+
+/// PlacedElement::distance() without a hint.
+float distance(const Element& element, double radius, const dvec3& unit, double limit) {
+  const double error = ClosestPointIndex::error(unit);
+  const auto closest = element.distance_index().find(unit, limit / radius + error);
+  return closest ? rounded_down(std::max(0.0, closest->distance - error) * radius)
+                 : std::numeric_limits<float>::infinity();
 }
 
 std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& block,
@@ -42,9 +53,9 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
           ++flagged;
           continue;
         }
-        const float distance = placed.distance(unit, clearance);
-        if (distance < clearance) {
-          clearance = distance;
+        const float nearer = distance(placed.element(), placed.radius(), unit, clearance);
+        if (nearer < clearance) {
+          clearance = nearer;
           block.nearest[slot] = NearestSurface(id);
         }
       }

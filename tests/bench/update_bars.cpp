@@ -1,0 +1,83 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "bench/bar.h"
+#include "geometry/models.h"
+#include "packing/pack.h"
+#include "support/exact_packer.h"
+#include "support/meshes.h"
+#include "support/thesis_twin.h"
+
+namespace collage::bench {
+namespace {
+
+/// Thin enough for 335,000 of them in the bunny at 400 voxels.
+Mesh ring() { return test::torus_mesh(1.0, 0.27, 32, 16); }
+
+PackingOptions to_hole(double threshold) {
+  PackingOptions options;
+  options.scaling = Scaling::to_hole;
+  options.threshold = threshold;
+  return options;
+}
+
+std::vector<Bar> against_the_thesis() {
+  const Mesh mesh = ring();
+  const MeshTarget target(make_teapot(12));
+  const Element element(mesh);
+  const std::vector<Ingredient> ingredients{{element, {1.0}, 1.0}};
+  const VoxelGrid grid = target.voxels(100, 0.5, 1);
+  const PackingOptions options = to_hole(0.01);
+  Status status;
+  ClearanceField field(target, grid, status);
+  Packing packing;
+  const double fast =
+      measure(1, [&] { packing = pack(target, field, ingredients, options, status); });
+  test::ThesisTwin twin(target, grid,
+                        {{mesh, element.center(), element.size(), element.farthest_direction()}},
+                        options);
+  std::size_t twin_instances = 0;
+  const double slow = measure(1, [&] { twin_instances = twin.run().size(); });
+  // Theirs are distances in other arithmetic: the two part where two holes are as good as equal.
+  const auto instances = static_cast<double>(packing.instances.size());
+  if (std::abs(static_cast<double>(twin_instances) / instances - 1.0) > 0.02) {
+    throw Error("pack() and its literal twin place different numbers of elements", "mend one");
+  }
+  return {{fmt::format("teapot, 100 voxels, {} rings of 1,024 faces: the thesis, 1 thread",
+                       twin_instances),
+           fast, "CPU s", slow, slow / fast, Bar::Side::at_least, 600.0}};
+}
+
+std::vector<Bar> against_exact_queries() {
+  const Mesh mesh = ring();
+  const MeshTarget target(field_mesh("targets/bunny.obj"));
+  const Element element(mesh);
+  const std::vector<Ingredient> ingredients{{element, {1.0}, 1.0}};
+  const PackingOptions options = to_hole(0.0025);
+  Status status;
+  ClearanceField field(target, target.voxels(400, 0.5, 1), status);
+  ClearanceField copy = field;
+  Packing packing;
+  Packing exact;
+  const double fast =
+      measure(2, [&] { packing = pack(target, field, ingredients, options, status); });
+  const double slow =
+      measure(2, [&] { exact = test::exact_pack(target, copy, ingredients, options); });
+  if (exact.instances.size() != packing.instances.size()) {
+    throw Error("pack() and its exact twin place different numbers of elements", "mend one");
+  }
+  return {{fmt::format("bunny, 400 voxels, {} rings: a query a voxel, 2 threads",
+                       packing.instances.size()),
+           fast, "CPU s", slow, slow / fast, Bar::Side::at_least, 10.0}};
+}
+
+}  // namespace
+
+std::vector<Group> update_bars() {
+  return {{"update-thesis", against_the_thesis},
+          {"update-exact", against_exact_queries, Group::Meshes::field}};
+}
+
+}  // namespace collage::bench
