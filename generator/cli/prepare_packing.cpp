@@ -1,5 +1,6 @@
 #include "cli/prepare_packing.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "base/error.h"
@@ -55,11 +56,23 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   }
 }
 
+/// Covering spheres find their own place in a hole.
+void refuse_stretches(const Scene& scene) {
+  if (std::ranges::any_of(scene.elements, [](const Scene::Element& element) {
+        return element.left > 0.0 || element.right < 1.0;
+      })) {
+    throw Error({scene.file},
+                "element.left and element.right do not go with packing.fit = \"shape\"",
+                "use packing.fit = \"sphere\"");
+  }
+}
+
 }  // namespace
 
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
   if (scene.packing.fit == Fit::shape) {
+    refuse_stretches(scene);
     const auto workshop = std::make_shared<ShapeWorkshop>(scene, input, status);
     return [&scene, &target = input.target, workshop](Status& packing_status) {
       return pack_by_shape({target, workshop->surface.get()}, workshop->space,

@@ -93,7 +93,8 @@ std::string accepted_kind(const Option& option) {
     case OptionKind::text:
       return accepted_text(option);
     case OptionKind::texts:
-      return "a list of " + accepted_text(option);
+      return "a list of " +
+             (option.form == TextForm::path ? "paths of files" : accepted_text(option));
   }
   return {};
 }

@@ -34,7 +34,6 @@ struct Group {
 std::vector<Group> update_bars();
 std::vector<Group> scaling_bars();
 std::vector<Group> signed_distance_bars();
-std::vector<Group> sphere_bars();
 std::vector<Group> preview_bars();
 
 /// A mesh from $COLLAGE_FIELD_MESHES, set right.

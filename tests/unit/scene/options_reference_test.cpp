@@ -24,7 +24,7 @@ TEST(OptionsReference, IsAPageOfTables) {
   EXPECT_THAT(page, HasSubstr("## `[packing]`\n\n| key | default | takes | meaning |\n"));
   EXPECT_THAT(page, HasSubstr("| `threshold` | `0.02` | a number from 0.0001 to 1, a fraction of "
                               "the target's longest side | radius of the smallest hole that is "
-                              "still filled |\n"));
+                              "still filled; by shape, of the smallest element |\n"));
   EXPECT_THAT(page, HasSubstr("| `mesh` |  | "));
   EXPECT_THAT(page, HasSubstr("is POV-Ray code, not data"));
 }

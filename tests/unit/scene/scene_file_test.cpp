@@ -139,8 +139,8 @@ TEST_F(SceneFile, NamesWhatIsOfTheWrongType) {
             "\"to-hole\"");
   EXPECT_EQ(error(text + "scaling = 2020-01-01\n"),
             "scene.toml:6: packing.scaling is of the wrong type; use \"fixed\" or \"to-hole\"");
-  EXPECT_EQ(error(text + "fit = \"shape\"\n"),
-            "scene.toml:6: packing.fit = \"shape\" is not available; use \"sphere\"");
+  EXPECT_EQ(error(text + "fit = \"cube\"\n"),
+            "scene.toml:6: packing.fit = \"cube\" is not available; use \"sphere\" or \"shape\"");
   EXPECT_EQ(error("packing = 3\n"), "scene.toml:1: 'packing' is a section; write [packing]");
   EXPECT_EQ(error("[element]\nmesh = 'cup.obj'\n"),
             "scene.toml:1: 'element' is a list of sections; write [[element]]");
