@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "fitting/pack_by_shape.h"
 
@@ -56,6 +58,18 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   }
 }
 
+void require_stretches(const Scene& scene) {
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    const Scene::Element& element = scene.elements[e];
+    if (element.left > element.right) {
+      throw Error({scene.file},
+                  fmt::format("element.{0}.left = {1:g} is beyond element.{0}.right = {2:g}", e,
+                              element.left, element.right),
+                  "the stretch goes from left to right");
+    }
+  }
+}
+
 /// Covering spheres find their own place in a hole.
 void refuse_stretches(const Scene& scene) {
   if (std::ranges::any_of(scene.elements, [](const Scene::Element& element) {
@@ -71,6 +85,7 @@ void refuse_stretches(const Scene& scene) {
 
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
+  require_stretches(scene);
   if (scene.packing.fit == Fit::shape) {
     refuse_stretches(scene);
     const auto workshop = std::make_shared<ShapeWorkshop>(scene, input, status);
