@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "geometry/boxes.h"
 #include "geometry/topology.h"
@@ -13,24 +12,16 @@ namespace {
 
 /// The vertices of each set of triangles that hang together by vertices at the same place.
 std::vector<std::vector<dvec3>> parts_of(const Mesh& mesh) {
-  const Topology topology(mesh);
-  DisjointSets sets(mesh.positions.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const uvec3 corners = welded_triangle(mesh, topology, t);
-    sets.unite(corners.x, corners.y);
-    sets.unite(corners.y, corners.z);
-  }
+  const std::vector<std::uint32_t> part_of = parts_by_vertices(mesh);
   std::vector<std::vector<dvec3>> parts;
-  std::map<std::uint32_t, std::size_t> part_of_root;
   std::vector<char> seen(mesh.positions.size(), 0);
-  for (const uvec3& t : mesh.triangles) {
-    const std::uint32_t root = sets.find(topology.welded()[t.x]);
-    const std::size_t part = part_of_root.emplace(root, parts.size()).first->second;
-    parts.resize(std::max(parts.size(), part + 1));
+  for (std::size_t t = 0; t < part_of.size(); ++t) {
+    parts.resize(std::max<std::size_t>(parts.size(), part_of[t] + 1));
     for (int k = 0; k < 3; ++k) {
-      if (seen[t[k]] == 0) {
-        seen[t[k]] = 1;
-        parts[part].push_back(mesh.positions[t[k]]);
+      const std::uint32_t vertex = mesh.triangles[t][k];
+      if (seen[vertex] == 0) {
+        seen[vertex] = 1;
+        parts[part_of[t]].push_back(mesh.positions[vertex]);
       }
     }
   }

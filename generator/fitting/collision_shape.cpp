@@ -13,21 +13,11 @@ namespace {
 
 /// One vertex of each set of triangles that hang together by vertices at the same place.
 std::vector<dvec3> find_part_vertices(const Mesh& mesh) {
-  const Topology topology(mesh);
-  DisjointSets sets(mesh.positions.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const uvec3 corners = welded_triangle(mesh, topology, t);
-    sets.unite(corners.x, corners.y);
-    sets.unite(corners.y, corners.z);
-  }
-  std::vector<char> seen(mesh.positions.size(), 0);
   std::vector<dvec3> vertices;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t first = welded_triangle(mesh, topology, t).x;
-    const std::uint32_t part = sets.find(first);
-    if (seen[part] == 0) {
-      seen[part] = 1;
-      vertices.push_back(mesh.positions[first]);
+  const std::vector<std::uint32_t> part_of = parts_by_vertices(mesh);
+  for (std::size_t t = 0; t < part_of.size(); ++t) {
+    if (part_of[t] == vertices.size()) {  // parts are numbered in this order
+      vertices.push_back(mesh.corner(t, 0));
     }
   }
   return vertices;

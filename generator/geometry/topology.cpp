@@ -1,6 +1,7 @@
 #include "geometry/topology.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -68,6 +69,27 @@ void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
   a = find(a);
   b = find(b);
   parent_[std::max(a, b)] = std::min(a, b);
+}
+
+std::vector<std::uint32_t> parts_by_vertices(const Mesh& mesh) {
+  const Topology topology(mesh);
+  DisjointSets sets(mesh.positions.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uvec3 corners = welded_triangle(mesh, topology, t);
+    sets.unite(corners.x, corners.y);
+    sets.unite(corners.y, corners.z);
+  }
+  constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(mesh.positions.size(), unnumbered);
+  std::vector<std::uint32_t> parts;
+  parts.reserve(mesh.triangles.size());
+  std::uint32_t count = 0;
+  for (const uvec3& t : mesh.triangles) {
+    std::uint32_t& part = number[sets.find(topology.welded()[t.x])];
+    part = part == unnumbered ? count++ : part;
+    parts.push_back(part);
+  }
+  return parts;
 }
 
 bool is_closed(const Mesh& mesh) {

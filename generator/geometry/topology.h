@@ -57,6 +57,10 @@ inline uvec3 welded_triangle(const Mesh& mesh, const Topology& topology, std::si
   return {welded[t.x], welded[t.y], welded[t.z]};
 }
 
+/// Of each triangle the number of its part, from 0 on in the order of their first triangles: parts
+/// hang together by vertices at the same place. Cost: O(n log n).
+std::vector<std::uint32_t> parts_by_vertices(const Mesh& mesh);
+
 /// True where every edge is run as often one way as the other: the winding number is whole
 /// everywhere off the surface and changes only across it. Cost: O(n log n).
 bool is_closed(const Mesh& mesh);
