@@ -30,15 +30,6 @@ PreviewShot preview_shot(const Shot& shot) {
   return result;
 }
 
-PreviewShown preview_shown(const Shot& shot) {
-  PreviewShown shown;
-  shown.stage = shot.stage;
-  if (shot.only_element) {
-    shown.element = static_cast<std::uint32_t>(*shot.only_element);
-  }
-  return shown;
-}
-
 Picture encoded(const PreviewPicture& picture) {
   Picture result;
   result.width = picture.width;

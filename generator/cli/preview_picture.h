@@ -9,7 +9,6 @@ namespace collage {
 
 /// What the shot asks for of a preview; its template and quality play no part.
 PreviewShot preview_shot(const Shot& shot);
-PreviewShown preview_shown(const Shot& shot);
 
 /// As a PNG shows it: values above 1 are white.
 Picture encoded(const PreviewPicture& picture);

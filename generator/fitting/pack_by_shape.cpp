@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "fitting/hole_queue.h"
-#include "fitting/pose_finder.h"
+#include "fitting/kinds.h"
+#include "fitting/placed_shapes.h"
 #include "fitting/quota.h"
 
 namespace collage {
@@ -26,40 +26,6 @@ constexpr std::size_t shapes_a_hole = 4;
 constexpr double link_preference = 2.0;
 constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
 constexpr std::uint64_t choice_stream = 0x63686f696365ULL;
-
-/// Guesses how large a pose a hole will turn out to have: what nine in ten have had, in units of
-/// the hole's clearance.
-class Outlook {
- public:
-  [[nodiscard]] double ratio() const { return ratio_; }
-  void learn(double ratio) {
-    seen_.push_back(ratio);
-    if (seen_.size() == sample) {
-      std::ranges::nth_element(seen_, seen_.begin() + sample * 9 / 10);
-      ratio_ = std::max(1.2, seen_[sample * 9 / 10]);
-      seen_.clear();
-    }
-  }
-
- private:
-  static constexpr std::ptrdiff_t sample = 100;
-  double ratio_ = 2.0;
-  std::vector<double> seen_;
-};
-
-/// A shape with all that depends on the options.
-struct Kind {
-  const ShapedElement* shape;
-  /// Key of a pose ÷ its radius: keys are cube roots of volumes.
-  double key_per_radius = 1.0;
-  double least_radius = 0.0;
-  double largest_radius = 1e300;
-  /// Of the radii allowed, falling; empty: any.
-  std::vector<double> radii;
-  std::vector<std::uint32_t> elements;
-  Outlook outlook;
-  HoleMap holes{1.0};
-};
 
 /// What a thread works with.
 struct Tools {
@@ -80,7 +46,6 @@ class ShapePacker {
  private:
   using Id = HoleQueue::Id;
 
-  void add_kinds();
   void add_holes(const std::vector<FreeSpace::Peak>& peaks);
   void add_vacancy(std::uint32_t kind, const FreeSpace::Peak& peak);
   [[nodiscard]] double apart(double clearance) const;
@@ -88,7 +53,6 @@ class ShapePacker {
 
   [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
   [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind, double radius) const;
-  void look_round(Tools& tools, const Pose& pose, std::uint32_t first) const;
   [[nodiscard]] Pose polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
                               Rng& rng) const;
   /// True where the vacancy's pose is known and still fits.
@@ -98,32 +62,23 @@ class ShapePacker {
   void fill(Id id);
   std::optional<Pose> settled(const Kind& kind, const Pose& pose, double least);
   std::optional<Pose> settled_at_fixed(const Kind& kind, const Pose& pose);
-  [[nodiscard]] bool blocked(const Kind& kind, const Pose& pose);
-  [[nodiscard]] bool linked(const Kind& kind, const Pose& pose, std::uint32_t other) const;
-  [[nodiscard]] PoseFinder::Opening opening_of(std::uint32_t host) const;
   void add_linked_vacancies(std::uint32_t host);
   [[nodiscard]] double link_key(std::uint32_t host, const Kind& kind) const;
   bool keep_looking(Vacancy& vacancy) const;
-  [[nodiscard]] bool leaves_target(const Kind& kind, const Instance& instance) const;
   void report(double key, Status& status);
 
-  const ShapeTarget& target_;
   FreeSpace& space_;
   std::span<const ShapeIngredient> ingredients_;
   const PackingOptions& options_;
   double longest_side_;
   double spacing_;
   double greatest_depth_;
+  PlacedShapes placed_;
   std::vector<Kind> kinds_;
   std::vector<std::uint32_t> kind_of_;
   Quota quota_;
   HoleQueue queue_{0};
   tbb::enumerable_thread_specific<Tools> tools_;
-  std::vector<Instance> instances_;
-  std::vector<Pose> poses_;
-  /// For each instance the last test that looked at it.
-  std::vector<std::uint64_t> looked_at_;
-  std::uint64_t tests_ = 0;
   std::uint64_t openings_ = 0;
   double first_key_ = 0.0;
   double update_seconds_ = 0.0;
@@ -140,50 +95,23 @@ std::vector<double> quota_weights(std::span<const ShapeIngredient> ingredients, 
 ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
                          std::span<const ShapeIngredient> ingredients,
                          const PackingOptions& options)
-    : target_(target),
-      space_(space),
+    : space_(space),
       ingredients_(ingredients),
       options_(options),
       longest_side_(target.target.box().longest_side()),
       spacing_(options.spacing * longest_side_),
       greatest_depth_(space.largest_distance()),
+      placed_(target, space, spacing_),
+      kinds_(kinds_of(ingredients, options, longest_side_)),
+      kind_of_(ingredients.size()),
       quota_(quota_weights(ingredients, options.choose)),
       tools_([this] { return Tools(space_, spacing_); }) {
-  add_kinds();
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    for (const std::uint32_t e : kinds_[k].elements) {
+      kind_of_[e] = k;
+    }
+  }
   queue_ = HoleQueue(kinds_.size());
-}
-
-void ShapePacker::add_kinds() {
-  constexpr double nearly = 0.99;  // scales are often rounded to the threshold
-  const double threshold = options_.threshold * longest_side_;
-  for (std::uint32_t e = 0; e < ingredients_.size(); ++e) {
-    const ShapeIngredient& ingredient = ingredients_[e];
-    const auto known = std::ranges::find(kinds_, &ingredient.shape, &Kind::shape);
-    kind_of_.push_back(static_cast<std::uint32_t>(known - kinds_.begin()));
-    if (known == kinds_.end()) {
-      Kind& kind = kinds_.emplace_back();
-      kind.shape = &ingredient.shape;
-      kind.key_per_radius = std::max(0.05, std::cbrt(ingredient.shape.unit_volume()));
-      kind.least_radius = threshold;
-      kind.largest_radius = options_.largest * longest_side_;
-      kind.holes = HoleMap(0.01 * longest_side_);
-    }
-    Kind& kind = kinds_[kind_of_.back()];
-    kind.elements.push_back(e);
-    for (const double scale : ingredient.scales) {
-      const double radius = scale * ingredient.shape.element().size();
-      if (options_.scaling == Scaling::fixed && radius >= nearly * threshold) {
-        kind.radii.push_back(radius);
-      }
-    }
-  }
-  for (Kind& kind : kinds_) {
-    if (options_.scaling == Scaling::fixed) {
-      std::ranges::sort(kind.radii, std::ranges::greater{});
-      kind.least_radius = kind.radii.empty() ? 1e300 : kind.radii.back();
-      kind.largest_radius = kind.radii.empty() ? 0.0 : kind.radii.front();
-    }
-  }
 }
 
 /// Two holes nearer than this are one.
@@ -255,31 +183,10 @@ std::optional<std::uint32_t> ShapePacker::next_kind() const {
   return best;
 }
 
-/// The surroundings of a pose, of instances from number `first` on.
-void ShapePacker::look_round(Tools& tools, const Pose& pose, std::uint32_t first) const {
-  constexpr double reach = 1.3;
-  tools.ids.clear();
-  space_.visit_near(pose.center, reach * pose.radius + spacing_, [&](std::uint32_t other) {
-    if (other >= first) {
-      tools.ids.push_back(other);
-    }
-  });
-  std::ranges::sort(tools.ids);
-  const auto repeated = std::ranges::unique(tools.ids);
-  tools.ids.erase(repeated.begin(), repeated.end());
-  tools.surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
-  for (const std::uint32_t other : tools.ids) {
-    const double together = poses_[other].radius + reach * pose.radius + spacing_;
-    if (glm::distance(poses_[other].center, pose.center) < together) {
-      tools.surroundings.add(*kinds_[kind_of_[instances_[other].element]].shape, poses_[other]);
-    }
-  }
-}
-
 /// The pose made as large as the surroundings allow.
 Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
                            Rng& rng) const {
-  look_round(tools, pose, 0);
+  placed_.find_surroundings(pose, 0, tools.ids, tools.surroundings);
   tools.finder.optimizer().look_at(&tools.surroundings);
   const Pose better = tools.finder.optimizer().maximize(
       kind.shape->fine(), pose,
@@ -291,10 +198,10 @@ Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, dou
 
 bool ShapePacker::is_ready(Vacancy& vacancy) {
   constexpr double tolerance = 2e-3;
-  const auto now = static_cast<std::uint32_t>(instances_.size());
+  const auto now = static_cast<std::uint32_t>(placed_.size());
   if (vacancy.has_pose && vacancy.fitted_at < now) {
     Tools& tools = tools_.local();
-    look_round(tools, vacancy.pose, vacancy.fitted_at);
+    placed_.find_surroundings(vacancy.pose, vacancy.fitted_at, tools.ids, tools.surroundings);
     if (!tools.surroundings.empty()) {
       PoseOptimizer& optimizer = tools.finder.optimizer();
       optimizer.look_at(&tools.surroundings);
@@ -327,18 +234,18 @@ void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
                                       .least_radius = 0.9 * least,
                                       .largest_radius = kind.largest_radius,
                                       .previous = previous};
-    const Pose pose = vacancy.host
-                          ? tools.finder.find_linked(request, opening_of(*vacancy.host), rng)
-                          : tools.finder.find(request, rng);
+    const Pose pose =
+        vacancy.host ? tools.finder.find_linked(request, placed_.opening_of(*vacancy.host), rng)
+                     : tools.finder.find(request, rng);
     vacancy.pose = pose.radius > 0.0 ? polished(tools, kind, pose, least, rng) : Pose{};
   }
   double preference = 1.0;
   if (vacancy.host && vacancy.pose.radius > 0.0) {
     preference = link_preference;
-    vacancy.pose = linked(kind, vacancy.pose, *vacancy.host) ? vacancy.pose : Pose{};
+    vacancy.pose = placed_.linked(*kind.shape, vacancy.pose, *vacancy.host) ? vacancy.pose : Pose{};
   }
   vacancy.has_pose = vacancy.pose.radius > 0.0;
-  vacancy.fitted_at = static_cast<std::uint32_t>(instances_.size());
+  vacancy.fitted_at = static_cast<std::uint32_t>(placed_.size());
   vacancy.key = preference * vacancy.pose.radius * kind.key_per_radius;
 }
 
@@ -382,45 +289,6 @@ void ShapePacker::open_batch(std::uint32_t k) {
   }
 }
 
-bool ShapePacker::leaves_target(const Kind& kind, const Instance& instance) const {
-  if (target_.surface != nullptr) {
-    return surfaces_come_within(spacing_, *target_.surface, Instance{}, kind.shape->collision(),
-                                instance) ||
-           has_part_outside(*target_.surface, kind.shape->collision(), instance);
-  }
-  const double unit = instance.scale * kind.shape->element().size();
-  return std::ranges::any_of(kind.shape->cover().spheres, [&](const Sphere& sphere) {
-    const dvec3 center =
-        instance.world_from_element(kind.shape->element().solid().mesh_from_unit(sphere.center));
-    return target_.target.clearance(center) < unit * sphere.radius + spacing_;
-  });
-}
-
-/// The exact test.
-bool ShapePacker::blocked(const Kind& kind, const Pose& pose) {
-  const Instance instance = pose.instance(0, kind.shape->element());
-  const CollisionShape& shape = kind.shape->collision();
-  ++tests_;
-  bool meets = false;
-  space_.visit_near(pose.center, pose.radius + spacing_, [&](std::uint32_t other) {
-    if (meets || looked_at_[other] == tests_) {
-      return;
-    }
-    looked_at_[other] = tests_;
-    const Pose& there = poses_[other];
-    if (glm::distance(there.center, pose.center) > there.radius + pose.radius + spacing_) {
-      return;
-    }
-    const Instance& neighbour = instances_[other];
-    const CollisionShape& its_shape = kinds_[kind_of_[neighbour.element]].shape->collision();
-    meets = surfaces_come_within(spacing_, its_shape, neighbour, shape, instance) ||
-            has_part_inside(its_shape, neighbour, shape, instance) ||
-            has_part_inside(shape, instance, its_shape, neighbour) ||
-            (options_.linking == Linking::avoid && linked(kind, pose, other));
-  });
-  return meets || leaves_target(kind, instance);
-}
-
 /// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
 std::optional<Pose> ShapePacker::settled(const Kind& kind, const Pose& pose, double least) {
   constexpr std::array shrinking{0.99, 0.975, 0.95, 0.92};
@@ -430,10 +298,10 @@ std::optional<Pose> ShapePacker::settled(const Kind& kind, const Pose& pose, dou
     other.radius = std::min(kind.largest_radius, factor * pose.radius);
     return other;
   };
-  if (blocked(kind, pose)) {
+  if (placed_.blocks(*kind.shape, pose, options_.linking)) {
     for (const double factor : shrinking) {
       const Pose smaller = scaled(factor);
-      if (smaller.radius >= least && !blocked(kind, smaller)) {
+      if (smaller.radius >= least && !placed_.blocks(*kind.shape, smaller, options_.linking)) {
         return smaller;
       }
     }
@@ -442,7 +310,7 @@ std::optional<Pose> ShapePacker::settled(const Kind& kind, const Pose& pose, dou
   Pose best = pose;
   for (const double factor : growing) {
     const Pose larger = scaled(factor);
-    if (larger.radius <= best.radius || blocked(kind, larger)) {
+    if (larger.radius <= best.radius || placed_.blocks(*kind.shape, larger, options_.linking)) {
       break;
     }
     best = larger;
@@ -462,49 +330,21 @@ std::optional<Pose> ShapePacker::settled_at_fixed(const Kind& kind, const Pose& 
   loose.radius = *radius;
   const Pose close = tools_.local().finder.optimizer().hug(kind.shape->fine(), loose);
   for (const Pose& candidate : {close, loose}) {
-    if (!blocked(kind, candidate)) {
+    if (!placed_.blocks(*kind.shape, candidate, options_.linking)) {
       return candidate;
     }
   }
   return std::nullopt;
 }
 
-/// Whether the pose's loops and those of an instance go round each other.
-bool ShapePacker::linked(const Kind& kind, const Pose& pose, std::uint32_t other) const {
-  const auto in_world = [](const Loop& loop, const Pose& where) {
-    Loop moved = loop;
-    for (dvec3& point : moved) {
-      point = where.center + where.rotation * (where.radius * point);
-    }
-    return moved;
-  };
-  const Kind& its_kind = kinds_[kind_of_[instances_[other].element]];
-  return std::ranges::any_of(kind.shape->loops(), [&](const Loop& loop) {
-    const Loop own = in_world(loop, pose);
-    return std::ranges::any_of(its_kind.shape->loops(), [&](const Loop& its_loop) {
-      return linking_number(own, in_world(its_loop, poses_[other])) != 0;
-    });
-  });
-}
-
-PoseFinder::Opening ShapePacker::opening_of(std::uint32_t host) const {
-  const Loop& ring = *kinds_[kind_of_[instances_[host].element]].shape->ring();
-  const Pose& pose = poses_[host];
-  dvec3 middle(0.0);
-  for (const dvec3& point : ring) {
-    middle += point / static_cast<double>(ring.size());
-  }
-  return {pose.center + pose.rotation * (pose.radius * middle),
-          pose.rotation * glm::normalize(area_vector(ring)), pose.radius};
-}
-
 /// As if a ring of the host's size would fit.
 double ShapePacker::link_key(std::uint32_t host, const Kind& kind) const {
-  return link_preference * std::min(poses_[host].radius, kind.largest_radius) * kind.key_per_radius;
+  return link_preference * std::min(placed_.pose(host).radius, kind.largest_radius) *
+         kind.key_per_radius;
 }
 
 void ShapePacker::add_linked_vacancies(std::uint32_t host) {
-  if (kinds_[kind_of_[instances_[host].element]].shape->ring() == nullptr) {
+  if (placed_.shape(host).ring() == nullptr) {
     return;
   }
   for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
@@ -513,7 +353,7 @@ void ShapePacker::add_linked_vacancies(std::uint32_t host) {
       continue;
     }
     Vacancy vacancy;
-    vacancy.hole = opening_of(host).center;
+    vacancy.hole = placed_.opening_of(host).center;
     vacancy.shape = k;
     vacancy.host = host;
     vacancy.key = link_key(host, kind);
@@ -537,7 +377,7 @@ std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double r
   if (options_.choose != Choose::largest) {
     return quota_.farthest_behind(available);
   }
-  Rng rng(options_.seed, placement_stream + instances_.size());
+  Rng rng(options_.seed, placement_stream + placed_.size());
   return possible[rng.below(possible.size())];
 }
 
@@ -570,10 +410,8 @@ void ShapePacker::fill(Id id) {
   for (const double listed : ingredients_[*element].scales) {
     scale = listed * made.size() == pose->radius ? listed : scale;
   }
-  const auto index = static_cast<std::uint32_t>(instances_.size());
-  instances_.push_back(pose->instance(*element, made, scale));
-  poses_.push_back(*pose);
-  looked_at_.push_back(0);
+  const auto index = static_cast<std::uint32_t>(placed_.size());
+  placed_.add(*kind.shape, *pose, pose->instance(*element, made, scale));
   quota_.count(*element);
   const auto host = vacancy.host;
   if (!host) {
@@ -596,7 +434,7 @@ void ShapePacker::report(double key, Status& status) {
   if (status.stop_requested()) {
     throw Interrupted();
   }
-  if (instances_.size() % 16 != 1) {
+  if (placed_.size() % 16 != 1) {
     return;
   }
   double last = first_key_;
@@ -606,7 +444,7 @@ void ShapePacker::report(double key, Status& status) {
   const double fraction =
       last < first_key_ ? std::log(first_key_ / key) / std::log(first_key_ / last) : 0.0;
   status.update(glm::clamp(fraction, 0.0, 1.0),
-                fmt::format("{} instances", grouped(instances_.size())));
+                fmt::format("{} instances", grouped(placed_.size())));
 }
 
 Packing ShapePacker::run(Status& status) {
@@ -623,7 +461,7 @@ Packing ShapePacker::run(Status& status) {
     }
   }
   Packing packing;
-  packing.instances = std::move(instances_);
+  packing.instances = placed_.instances();
   packing.voxels = space_.distances().size();
   packing.voxels_inside_target = space_.points_inside_target();
   packing.voxels_inside_instances = space_.points_inside_instances();

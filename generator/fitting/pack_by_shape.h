@@ -1,27 +1,14 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "base/status.h"
 #include "fitting/free_space.h"
-#include "fitting/shaped_element.h"
+#include "fitting/kinds.h"
+#include "fitting/placed_shapes.h"
 #include "packing/pack.h"
 
 namespace collage {
-
-/// An element with what the scene says about its use. Elements of the same mesh share one shape.
-struct ShapeIngredient {
-  const ShapedElement& shape;
-  std::vector<double> scales{1.0};
-  double weight = 1.0;
-};
-
-/// A target with, where it is a mesh, what its surface is tested by.
-struct ShapeTarget {
-  const Target& target;
-  const CollisionShape* surface = nullptr;
-};
 
 /// Fills the space, which must be fresh from the target, with elements fitted by their shape: a
 /// queue of holes, the most promising first; in each the largest pose that covering spheres find;

@@ -90,7 +90,7 @@ class BlockUpdate {
         voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
 
   /// Returns the number of voxels flagged.
-  std::size_t run(std::size_t index, std::vector<Update::Voxel>* before);
+  std::size_t run(std::size_t index, std::vector<Update::Voxel>& before);
 
  private:
   struct Point {
@@ -103,9 +103,7 @@ class BlockUpdate {
   void set_distance(std::size_t slot, const Point& at);
   void resolve(std::size_t slot, const Point& at, const Newcomer::Bounds& bounds);
   void keep(std::size_t slot, float upper, NearestSurface nearest) {
-    if (before_ != nullptr) {
-      before_->push_back({index_, slot, block_.upper[slot], block_.nearest[slot]});
-    }
+    before_->push_back({index_, slot, block_.upper[slot], block_.nearest[slot]});
     block_.upper[slot] = upper;
     block_.nearest[slot] = nearest;
   }
@@ -123,10 +121,10 @@ class BlockUpdate {
   std::size_t flagged_ = 0;
 };
 
-std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>* before) {
+std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>& before) {
   index_ = index;
   block_ = field_.block(index);
-  before_ = before;
+  before_ = &before;
   flagged_ = 0;
   const VoxelGrid& grid = field_.grid();
   const PlacedElement& placed = newcomer_.placed();
@@ -270,7 +268,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
   BlockUpdate work(field, surfaces, id, newcomer, useless);
   if (done.maxima.size() <= blocks_on_one_thread) {
     for (Update::Maximum& maximum : done.maxima) {
-      done.voxels_flagged += work.run(maximum.block, &done.before);
+      done.voxels_flagged += work.run(maximum.block, done.before);
       maximum.upper = field.scan_block(maximum.block);
     }
     return;
@@ -279,7 +277,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
   std::vector<std::vector<Update::Voxel>> before(done.maxima.size());
   tbb::parallel_for(std::size_t{0}, done.maxima.size(), [&](std::size_t b) {
     BlockUpdate mine = work;
-    flagged[b] = mine.run(done.maxima[b].block, &before[b]);
+    flagged[b] = mine.run(done.maxima[b].block, before[b]);
     done.maxima[b].upper = field.scan_block(done.maxima[b].block);
   });
   for (std::size_t b = 0; b < flagged.size(); ++b) {

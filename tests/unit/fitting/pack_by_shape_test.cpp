@@ -10,6 +10,7 @@
 #include "audit/audit.h"
 #include "audit/links.h"
 #include "base/error.h"
+#include "support/instances.h"
 #include "support/meshes.h"
 
 namespace collage {
@@ -130,16 +131,6 @@ TEST(PackByShape, FillsMoreThanBoundingSpheres) {
   EXPECT_GT(shape.filled, 2.0 * fill(target, ingredients, sphere.instances));
 }
 
-void expect_same(const Packing& a, const Packing& b) {
-  ASSERT_EQ(a.instances.size(), b.instances.size());
-  for (std::size_t i = 0; i < a.instances.size(); ++i) {
-    EXPECT_EQ(a.instances[i].element, b.instances[i].element);
-    EXPECT_EQ(a.instances[i].scale, b.instances[i].scale);
-    EXPECT_EQ(a.instances[i].rotation, b.instances[i].rotation);
-    EXPECT_EQ(a.instances[i].translation, b.instances[i].translation);
-  }
-}
-
 TEST(PackByShape, ResultsDoNotDependOnTheNumberOfThreads) {
   Case setup;
   setup.meshes.push_back(test::blob_mesh(1.0, 0.3, 6));
@@ -148,7 +139,7 @@ TEST(PackByShape, ResultsDoNotDependOnTheNumberOfThreads) {
   const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 4);
   const Packing parallel = run(setup).packing;
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  expect_same(parallel, run(setup).packing);
+  test::expect_same_instances(parallel.instances, run(setup).packing.instances);
 }
 
 TEST(PackByShape, TheSeedMatters) {

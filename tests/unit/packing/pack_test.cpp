@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include "support/exact_packer.h"
+#include "support/instances.h"
 #include "support/meshes.h"
 #include "support/thesis_twin.h"
 
@@ -59,13 +60,7 @@ Packing run_twin(const Case& setup, const std::vector<Element>& elements) {
 }
 
 void expect_same(const Packing& a, const Packing& b) {
-  ASSERT_EQ(a.instances.size(), b.instances.size());
-  for (std::size_t i = 0; i < a.instances.size(); ++i) {
-    ASSERT_EQ(a.instances[i].element, b.instances[i].element);
-    ASSERT_EQ(a.instances[i].scale, b.instances[i].scale);
-    ASSERT_EQ(a.instances[i].rotation, b.instances[i].rotation);
-    ASSERT_EQ(a.instances[i].translation, b.instances[i].translation);
-  }
+  test::expect_same_instances(a.instances, b.instances);
   EXPECT_EQ(a.voxels_inside_instances, b.voxels_inside_instances);
   EXPECT_EQ(a.largest_hole, b.largest_hole);
 }

@@ -6,6 +6,7 @@
 
 #include "base/rng.h"
 #include "base/stopwatch.h"
+#include "support/instances.h"
 #include "unit/scene/support.h"
 
 namespace collage {
@@ -78,13 +79,7 @@ TEST_F(SculptureFile, ReadsBackTheSameBits) {
   EXPECT_EQ(copy.elements[1].name, "hat");
   EXPECT_EQ(copy.elements[1].size, 0.1);
   EXPECT_EQ(copy.options.packing.seed, 5U);
-  ASSERT_EQ(copy.instances.size(), sculpture.instances.size());
-  for (std::size_t i = 0; i < copy.instances.size(); ++i) {
-    EXPECT_EQ(copy.instances[i].element, sculpture.instances[i].element);
-    EXPECT_EQ(copy.instances[i].scale, sculpture.instances[i].scale);
-    EXPECT_EQ(copy.instances[i].rotation, sculpture.instances[i].rotation);
-    EXPECT_EQ(copy.instances[i].translation, sculpture.instances[i].translation);
-  }
+  test::expect_same_instances(copy.instances, sculpture.instances);
 }
 
 TEST_F(SculptureFile, KeepsCredits) {
