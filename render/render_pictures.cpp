@@ -78,7 +78,7 @@ class Batch {
   };
 
   void render(const std::vector<Task>& tasks) {
-    const int at_once = tasks.size() == 1 ? 1 : tools_.threads;
+    const int at_once = tasks.size() == 1 ? 1 : tools_.threads + 1;  // each idles at its ends
     const int threads = tasks.size() == 1 ? tools_.threads : 1;
     done_ = total_ - tasks.size();
     auto next = tasks.begin();
@@ -96,7 +96,9 @@ class Batch {
  private:
   void start(const Task& task, int threads) {
     Run& run = runs_.emplace_back(folder_, *task.job, task.key);
-    write_file(run.files.path(".pov"), job_text(task.job->shot));
+    const Shot& shot = task.job->shot;
+    write_file(run.files.path(".pov"),
+               (tools_.prologue ? tools_.prologue(folder_, shot) : "") + job_text(shot));
     run.id = tools_.runner.start(povray_command(tools_, folder_, run, threads),
                                  [&run](std::string_view line) { run.console.read_line(line); });
   }

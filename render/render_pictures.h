@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +13,17 @@
 
 namespace collage {
 
+/// Text that POV-Ray reads before the scene in `folder`: declarations that save it work and change
+/// nothing in the picture. May be empty.
+using Prologue = std::function<std::string(const std::filesystem::path& folder, const Shot& shot)>;
+
 /// What rendering works with. `threads` ≥ 1: POV-Ray's threads, or POV-Rays at a time.
 struct RenderTools {
   CommandRunner& runner;
   const Povray& povray;
   int threads;
   Status& status;
+  Prologue prologue{};
 };
 
 struct PictureJob {
@@ -32,8 +38,9 @@ struct RenderCount {
 };
 
 /// Has POV-Ray make the pictures of the scene in `folder`, in the order given; each appears under
-/// its name when it is whole. One picture is rendered by all threads, several by as many
-/// single-threaded POV-Rays at a time. What is there already is kept, so that the same call after a
+/// its name when it is whole. One picture is rendered by all threads, several by single-threaded
+/// POV-Rays, one more at a time than there are threads: each idles for half a second as it comes
+/// and goes. What is there already is kept, so that the same call after a
 /// kill finishes the rest. Progress counts in `noun`s: "frame 12 of 36".
 /// Throws Error where the scene, a shot or POV-Ray fails, Interrupted on Ctrl-C; both leave no
 /// temporary files and end every POV-Ray.

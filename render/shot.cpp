@@ -156,7 +156,7 @@ std::vector<std::string> povray_options(const Shot& shot) {
                                       "+BM2",
                                       "-GA"};
   if (shot.quality == Quality::draft) {
-    options.insert(options.end(), {"+A0.3", "+AM1", "+R2"});
+    options.insert(options.end(), {"+A0.3", "+AM2", "+R1"});
   } else {
     options.insert(options.end(), {"+A0.3", "+AM2", "+R2"});
   }

@@ -138,6 +138,7 @@ Sculpture describe(const Scene& scene, const std::string& command, const Worksho
   sculpture.version = version;
   sculpture.command = command;
   sculpture.options = scene;
+  sculpture.scene_sha256 = sha256(read_file(folder / "scene.pov"));
   sculpture.instances = instances;
   sculpture.target = input(workshop.target_files, workshop.target_mesh, folder, "target", status);
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {

@@ -15,6 +15,7 @@
 #include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
 #include "cli/scene_arguments.h"
+#include "cli/traced_shadows.h"
 #include "scene/set_option.h"
 
 namespace collage {
@@ -41,11 +42,18 @@ void print_paths(const CommonArguments& common, const std::vector<fs::path>& pat
 struct Renderer {
   SystemRunner runner;
   Povray povray;
+  TracedShadows shadows;
   RenderTools tools;
 
   Renderer(const CommonArguments& common, Terminal& terminal)
       : povray(find_povray(runner, terminal)),
-        tools{runner, povray, thread_count(common), terminal} {}
+        shadows(terminal),
+        tools{runner, povray, thread_count(common), terminal,
+              [this](const fs::path& folder, const Shot& shot) {
+                return shadows.declaration(folder, shot);
+              }} {}
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
 };
 
 /// The options of a finished folder, with what the command line says about pictures.

@@ -72,13 +72,13 @@ Instance Stand::studio_from_world(const Instance& instance) const {
           studio_from_world(instance.translation)};
 }
 
-Stand stand_of(const Composition& composition, const CompositionBounds& bounds) {
+Stand stand_of(const Composition& composition, const CompositionBounds& bounds, Standing standing) {
   Box both = bounds.shown;
   if (composition.target != nullptr) {
     both.include(composition.target_box.min);
     both.include(composition.target_box.max);
   }
-  const double ground = bounds.shown.min.y;
+  const double ground = standing == Standing::target_too ? both.min.y : bounds.shown.min.y;
   const double height = both.max.y - ground;
   Stand stand;
   stand.foot = {both.center().x, ground, both.center().z};

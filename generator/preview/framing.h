@@ -21,7 +21,10 @@ struct Stand {
   [[nodiscard]] Instance studio_from_world(const Instance& instance) const;
 };
 
-Stand stand_of(const Composition& composition, const CompositionBounds& bounds);
+/// What stands on the floor; pictures of both lie on top of each other.
+enum class Standing { sculpture, target_too };
+Stand stand_of(const Composition& composition, const CompositionBounds& bounds,
+               Standing standing = Standing::sculpture);
 
 /// The angles of a picture. Azimuth 0 looks at the front, from +z; positive moves the camera to the
 /// right. Elevation counts from the horizon up.

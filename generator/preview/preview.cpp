@@ -69,8 +69,7 @@ struct Preview::Studio {
   CompositionBounds bounds;
   Stand stand;
   SurfaceLooks surfaces;
-  std::vector<const Mesh*> meshes;
-  std::vector<Instance> instances;
+  Exhibit exhibit;
   InstancedScene sculpture;
 
   Studio(const Composition& all, const TextureReader& read_texture, const PreviewShown& shown)
@@ -78,38 +77,8 @@ struct Preview::Studio {
         bounds(bounds_of(all)),
         stand(stand_of(all, bounds)),
         surfaces(all, read_texture),
-        meshes(meshes_of(all)),
-        instances(instances_shown(all, shown, stand)),
-        sculpture(meshes, instances) {}
-
-  static std::vector<const Mesh*> meshes_of(const Composition& composition) {
-    std::vector<const Mesh*> result;
-    for (const auto* shapes : {&composition.elements, &composition.props}) {
-      for (const Composition::Element& shape : *shapes) {
-        result.push_back(&shape.mesh);
-      }
-    }
-    return result;
-  }
-
-  /// As the #if lines of scene.pov choose them; then the props, as elements after the others.
-  static std::vector<Instance> instances_shown(const Composition& composition,
-                                               const PreviewShown& shown, const Stand& stand) {
-    const double end = shown.stage * static_cast<double>(composition.instances.size());
-    std::vector<Instance> result;
-    for (std::size_t i = 0; static_cast<double>(i) < end; ++i) {
-      const Instance& instance = composition.instances[i];
-      if (!shown.element || instance.element == *shown.element) {
-        result.push_back(stand.studio_from_world(instance));
-      }
-    }
-    for (std::size_t k = 0; k < composition.props.size(); ++k) {
-      Instance prop;
-      prop.element = static_cast<std::uint32_t>(composition.elements.size() + k);
-      result.push_back(stand.studio_from_world(prop));
-    }
-    return result;
-  }
+        exhibit(exhibit_of(all, shown, stand)),
+        sculpture(exhibit.meshes, exhibit.instances) {}
 
   [[nodiscard]] Point point(const Ray& ray, const RayHit& hit) const;
   [[nodiscard]] vec3 color(const Mesh& mesh, const Surface& surface, const RayHit& hit) const;
@@ -122,8 +91,8 @@ vec3 Preview::Studio::color(const Mesh& mesh, const Surface& surface, const RayH
 }
 
 Point Preview::Studio::point(const Ray& ray, const RayHit& hit) const {
-  const Instance& instance = instances[hit.instance];
-  const Mesh& mesh = *meshes[instance.element];
+  const Instance& instance = exhibit.instances[hit.instance];
+  const Mesh& mesh = *exhibit.meshes[instance.element];
   const dvec3 a = mesh.corner(hit.triangle, 0);
   const dvec3 across =
       glm::cross(mesh.corner(hit.triangle, 1) - a, mesh.corner(hit.triangle, 2) - a);
@@ -159,7 +128,7 @@ class Exposure {
         shot_(shot),
         camera_(frame(studio.stand, studio.bounds, shot.bearing,
                       static_cast<double>(shot.width) / shot.height, shot.framing)),
-        shadow_(studio.sculpture, studio.stand, shot.bearing),
+        shadow_(studio.sculpture, studio.stand, shot.bearing, *floor_light("studio")),
         lamps_(studio_lamps(shot.bearing)) {
     picture_.width = shot.width;
     picture_.height = shot.height;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "preview/exhibit.h"
 #include "preview/framing.h"
 #include "preview/surface.h"
 #include "scene/composition.h"
@@ -15,14 +16,6 @@ struct PreviewPicture {
   int width = 0;
   int height = 0;
   std::vector<glm::vec3> pixels;
-};
-
-/// What of the sculpture is shown; the camera takes in all of it.
-struct PreviewShown {
-  /// Share of the instances, in order of placement; above 0, at most 1.
-  double stage = 1.0;
-  /// Index of the only element shown; nullopt: all.
-  std::optional<std::uint32_t> element;
 };
 
 struct PreviewShot {

@@ -109,7 +109,18 @@ LampParts studio_lamps(const Bearing& bearing) {
   return parts;
 }
 
-dvec3 key_direction(const Bearing& bearing) { return turned(key, bearing); }
+std::optional<FloorLight> floor_light(std::string_view look) {
+  if (look == "studio" || look == "x-ray" || look == "breakdown") {
+    return FloorLight{key, 40.0, 0.4};
+  }
+  if (look == "clay") {
+    return FloorLight{key, 40.0, 0.35};
+  }
+  if (look == "daylight") {
+    return FloorLight{toward(-58, 38), 20.0, 0.0};
+  }
+  return std::nullopt;
+}
 
 double studio_room(const dvec3& direction, const Bearing& bearing) {
   const dvec3 seen = turned(direction, {-bearing.azimuth_degrees, 0.0});

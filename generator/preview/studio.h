@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string_view>
 #include <vector>
 
+#include "preview/floor_shadow.h"
 #include "preview/framing.h"
 
 namespace collage {
@@ -20,11 +23,9 @@ inline constexpr int samples_a_pixel = 4;
 using LampParts = std::array<std::vector<Lamp>, samples_a_pixel>;
 LampParts studio_lamps(const Bearing& bearing);
 
-/// From where the key light comes, and how many degrees wide it is for the floor's shadow.
-dvec3 key_direction(const Bearing& bearing);
-inline constexpr double key_width_degrees = 40.0;
-/// How much of the light on the floor is the key's; the rest falls from the whole sky.
-inline constexpr double key_share = 0.4;
+/// The light that makes the floor's shadow in a template that comes along, "studio" without its
+/// ending; nullopt for others.
+std::optional<FloorLight> floor_light(std::string_view look);
 
 /// What a mirror shows in a direction of the studio, 1 for white.
 double studio_room(const dvec3& direction, const Bearing& bearing);

@@ -40,6 +40,8 @@ struct Sculpture {
   std::vector<Element> elements;
   /// As many as options.render.props, in the same order.
   std::vector<Input> props{};
+  /// Of the scene.pov that was written with it; empty where that is not known.
+  std::string scene_sha256{};
   /// In the order of placement.
   std::vector<Instance> instances{};
 };

@@ -212,6 +212,9 @@ Sculpture sculpture(const json& root) {
       for_each_item(list, [&](const json& item) { result.props.push_back(input(item)); });
     });
   }
+  if (root.contains("scene_sha256")) {
+    result.scene_sha256 = within(root, "scene_sha256", digest);
+  }
   within(root, "instances", [&](const json& list) {
     result.instances.reserve(list.size());
     for_each_item(list, [&](const json& item) {
@@ -227,10 +230,13 @@ Sculpture sculpture(const json& root) {
 void write_sculpture(const std::filesystem::path& path, const Sculpture& sculpture) {
   const Scene scene = with_copies(sculpture);
   FileWriter file(path);
+  const std::string& digest = sculpture.scene_sha256;
   file.append("{\n  \"version\": " + json_text(sculpture.version) +
-              ",\n  \"command\": " + json_text(sculpture.command) + ",\n  \"seed\": " +
-              std::to_string(scene.packing.seed) + ",\n  \"options\": " + options_json(scene) +
-              ",\n" + inputs_text(sculpture) + "  \"instances\": [");
+              ",\n  \"command\": " + json_text(sculpture.command) +
+              ",\n  \"seed\": " + std::to_string(scene.packing.seed) +
+              ",\n  \"options\": " + options_json(scene) + ",\n" + inputs_text(sculpture) +
+              (digest.empty() ? "" : "  \"scene_sha256\": " + json_text(digest) + ",\n") +
+              "  \"instances\": [");
   std::string line = "\n";
   for (const Instance& instance : sculpture.instances) {
     append_instance(line, instance);

@@ -74,10 +74,10 @@ TEST_F(RenderByFake, one_picture_gets_all_threads) {
   EXPECT_EQ(runner_.commands[0].folder, folder_.path());
 }
 
-TEST_F(RenderByFake, several_pictures_get_a_thread_each) {
+TEST_F(RenderByFake, several_pictures_get_a_thread_each_and_one_waits) {
   answer(good_, 5);
   EXPECT_EQ(render(5).rendered, 5);
-  EXPECT_EQ(runner_.most_at_once, 3U);
+  EXPECT_EQ(runner_.most_at_once, 4U);
   for (const Command& command : runner_.commands) {
     EXPECT_TRUE(has_argument(command, "+WT1"));
   }
