@@ -158,7 +158,7 @@ std::vector<std::string> povray_options(const Shot& shot) {
   if (shot.quality == Quality::draft) {
     options.insert(options.end(), {"+A0.3", "+AM2", "+R1"});
   } else {
-    options.insert(options.end(), {"+A0.3", "+AM2", "+R2"});
+    options.insert(options.end(), {"+A0.4", "+AM2", "+R2"});
   }
   return options;
 }
