@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -49,12 +51,23 @@ std::vector<std::string> stems_in(const fs::path& folder) {
   return stems;
 }
 
+/// Whether this process comes to the folder for the first time.
+bool is_first_visit(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> seen;
+  const std::lock_guard lock(mutex);
+  return seen.insert(fs::absolute(folder)).second;
+}
+
 }  // namespace
 
 Scratch::Scratch(const fs::path& folder) : folder_(folder) {
   static std::atomic<unsigned> counter{0};
   std::error_code ignored;  // a folder that cannot be made is reported by open() below
   fs::create_directories(folder, ignored);
+  if (is_first_visit(folder)) {
+    remove_stale_scratch(folder);
+  }
   do {
     stem_ = std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   } while (!lock());
@@ -70,9 +83,12 @@ bool Scratch::lock() {
     throw Error({folder_}, "cannot be written to: " + std::generic_category().message(errno),
                 "check the folder's permissions and free space, or choose another with -o");
   }
-  // A clean-up that came between the two calls has taken the file away.
+  // A clean-up that came between the two calls has taken the file away. Where the file system knows
+  // no locks, there is no clean-up either.
+  while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+  }
   struct stat info {};
-  if (::flock(descriptor_, LOCK_EX) == 0 && ::fstat(descriptor_, &info) == 0 && info.st_nlink > 0) {
+  if (::fstat(descriptor_, &info) == 0 && info.st_nlink > 0) {
     return true;
   }
   ::close(descriptor_);

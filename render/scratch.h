@@ -7,7 +7,8 @@ namespace collage {
 
 /// A set of temporary files in one folder with a name of their own, which no other thread, process
 /// or machine uses at the same time. They go with the object; those of a process that was killed
-/// go with the next remove_stale_scratch(). A lock on the file <stem>.lock tells the two apart.
+/// go when another first comes to the folder, or with remove_stale_scratch(). A lock on the file
+/// <stem>.lock tells the two apart.
 class Scratch {
  public:
   /// Makes the folder where it is missing. Throws Error where nothing can be written there.

@@ -132,6 +132,10 @@ pid_t spawn(const Command& command, const fs::path& program, const Descriptor& o
   int error = 0;
   if (::read(report.read_end.get(), &error, sizeof error) > 0) {
     ::waitpid(pid, nullptr, 0);
+    std::error_code ignored;
+    if (launch.folder != nullptr && !fs::is_directory(command.folder, ignored)) {
+      throw Error({command.folder}, "is no folder any more", "run the same command again");
+    }
     throw_not_started(program, error);
   }
   return pid;

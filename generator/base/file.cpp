@@ -4,11 +4,14 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <openssl/evp.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,12 +26,53 @@ std::string reason() { return std::generic_category().message(errno); }
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
-/// A name beside `path` that no other thread or process uses.
-fs::path temporary_beside(const fs::path& path) {
+/// Temporary files are hidden, and their names too odd to be anybody else's.
+constexpr std::string_view temporary_prefix = ".collage-part-";
+
+/// A name in the folder that no other thread of this process takes.
+fs::path temporary_in(const fs::path& folder) {
   static std::atomic<unsigned> counter{0};
-  fs::path name = path;
-  name += ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-  return name;
+  return folder / (std::string(temporary_prefix) + std::to_string(::getpid()) + "-" +
+                   std::to_string(counter++));
+}
+
+/// Takes the lock by which others see that a temporary file is in use. False where they were
+/// quicker and have removed it.
+bool lock_temporary(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  struct stat info {};
+  return ::fstat(descriptor, &info) == 0 && info.st_nlink > 0;
+}
+
+/// Where the file system knows no locks, nothing is taken for abandoned.
+void remove_if_abandoned(const fs::path& temporary) {
+  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
+  if (descriptor < 0) {
+    return;
+  }
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+    ::unlink(temporary.c_str());
+  }
+  ::close(descriptor);
+}
+
+/// Once a folder is as good as each time: nobody dies in between but us.
+void remove_abandoned(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> seen;
+  {
+    const std::lock_guard lock(mutex);
+    if (!seen.insert(fs::absolute(folder)).second) {
+      return;
+    }
+  }
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().starts_with(temporary_prefix)) {
+      remove_if_abandoned(entry.path());
+    }
+  }
 }
 
 }  // namespace
@@ -76,36 +120,37 @@ void write_file(const fs::path& path, std::string_view content) {
   writer.commit();
 }
 
-FileWriter::FileWriter(fs::path path)
-    : path_(std::move(path)), temporary_(temporary_beside(path_)) {
-  std::error_code ignored;  // a folder that cannot be made is reported by open() below
-  for (fs::path folder = path_.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
-       folder = folder.parent_path()) {
-    folders_.push_back(folder);
+FileWriter::FileWriter(fs::path path) : path_(std::move(path)) {
+  require_replaceable(path_);
+  const fs::path parent = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+  folders_ = make_folders(parent);
+  remove_abandoned(parent);
+  while (!open_in(parent)) {
   }
-  fs::create_directories(path_.parent_path(), ignored);
+  buffer_.reserve(buffer_bytes);
+}
+
+/// False where the name was taken, by a file that was left over or by those who clear such away.
+bool FileWriter::open_in(const fs::path& folder) {
+  temporary_ = temporary_in(folder);
   descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
+  if (descriptor_ < 0 && errno != EEXIST) {
     const int error = errno;
-    remove_folders();
+    remove_empty_folders(folders_);
     errno = error;
     fail("created");
   }
-  buffer_.reserve(buffer_bytes);
+  if (descriptor_ >= 0 && !lock_temporary(descriptor_)) {
+    ::close(std::exchange(descriptor_, -1));
+  }
+  return descriptor_ >= 0;
 }
 
 FileWriter::~FileWriter() {
   if (descriptor_ >= 0) {
     ::close(descriptor_);
     ::unlink(temporary_.c_str());
-    remove_folders();
-  }
-}
-
-/// Those that have been filled since stay.
-void FileWriter::remove_folders() const {
-  for (const fs::path& folder : folders_) {
-    ::rmdir(folder.c_str());
+    remove_empty_folders(folders_);
   }
 }
 
@@ -147,7 +192,32 @@ void FileWriter::commit() {
   }
 }
 
+std::vector<fs::path> make_folders(const fs::path& folder) {
+  std::vector<fs::path> made;
+  std::error_code ignored;  // a folder that cannot be made is reported by whoever uses it
+  for (fs::path f = folder; !f.empty() && !fs::exists(f, ignored); f = f.parent_path()) {
+    made.push_back(f);
+  }
+  fs::create_directories(folder, ignored);
+  return made;
+}
+
+void remove_empty_folders(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    ::rmdir(folder.c_str());
+  }
+}
+
+void require_replaceable(const fs::path& path) {
+  std::error_code ignored;  // what cannot be looked at is reported by whoever writes
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw Error({path}, "is there already and is not a regular file", "choose another name");
+  }
+}
+
 void move_into_place(const fs::path& from, const fs::path& to) {
+  require_replaceable(to);
   if (::rename(from.c_str(), to.c_str()) != 0) {
     throw Error({to}, "cannot be written: " + reason(),
                 "check the folder's permissions and free space");

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/stage.h"
+#include "base/staging.h"
 #include "base/stopwatch.h"
 #include "cli/data_folder.h"
 #include "cli/prepare_packing.h"
@@ -246,15 +247,17 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
 
   Stopwatch writing;
   const Stage stage(status, "writing");
-  copy_templates(scene, folder);
-  write_povray(folder, compose(scene, workshop, packing.instances),
+  Staging staging(folder);
+  copy_templates(scene, staging.folder());
+  write_povray(staging.folder(), compose(scene, workshop, packing.instances),
                fs::path(scene.render.look).stem().string(), status);
-  write_sculpture(folder / "sculpture.json",
-                  describe(scene, command, workshop, packing.instances, folder, status));
+  write_sculpture(staging.folder() / "sculpture.json",
+                  describe(scene, command, workshop, packing.instances, staging.folder(), status));
   Report report = summarise(scene, workshop, packing);
   report.seconds.prepare = prepare_seconds;
   report.seconds.write = writing.seconds();
-  write_report(folder / "report.json", report);
+  write_report(staging.folder() / "report.json", report);
+  staging.commit();
   return report;
 }
 

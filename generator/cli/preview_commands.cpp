@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder_lock.h"
 #include "base/stage.h"
 #include "base/text.h"
 #include "cli/commands.h"
@@ -31,6 +32,7 @@ fs::path folder_of(const PreviewArguments& arguments, Terminal& terminal) {
   }
   const Scene scene = read_scene_with(arguments.scene);
   const fs::path folder = output_folder(arguments.scene, scene);
+  const FolderLock lock(folder, FolderLock::Kind::alone);
   pack_scene(scene, command_text(arguments.scene, scene), folder, terminal);
   return folder;
 }
@@ -180,6 +182,7 @@ void write_sheet(const std::vector<Trial>& trials, const SweepArguments& argumen
 int run_sweep(const SweepArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   fs::path folder = arguments.scene.folder;
   std::vector<Trial> trials = trials_of(arguments, folder);
+  const FolderLock lock(folder, FolderLock::Kind::alone);
   parse_view(arguments.view);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     terminal.note(

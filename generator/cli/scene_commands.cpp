@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder_lock.h"
 #include "cli/audit_folder.h"
 #include "cli/commands.h"
 #include "cli/draft_outputs.h"
@@ -98,6 +99,7 @@ void require_frames(const PictureArguments& arguments, const Scene& scene) {
 int make_draft(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   const Scene scene = read_scene_with(arguments);
   const fs::path folder = output_folder(arguments, scene);
+  const FolderLock lock(folder, FolderLock::Kind::alone);
   const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
   const FinishedFolder finished = read_finished_folder(folder, terminal);
   const FolderAudit audit = audit_and_note(folder, finished, terminal);
@@ -122,6 +124,7 @@ int thread_count(const CommonArguments& common) {
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   const Scene scene = read_scene_with(arguments);
   const fs::path folder = output_folder(arguments, scene);
+  const FolderLock lock(folder, FolderLock::Kind::alone);
   const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
   print_report(common, folder, report);
   print_paths(common, {folder / "scene.pov", folder / "sculpture.json"});
@@ -147,6 +150,7 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Scene scene = read_scene_with(arguments);
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
+  const FolderLock lock(folder, FolderLock::Kind::alone);
   const MadeScene made = make_scene(scene, command_text(arguments, scene), folder, renderer.tools);
   if (!made.audit.passed()) {
     std::fputs(audit_text(made.audit).c_str(), stdout);
@@ -165,6 +169,7 @@ int run_gallery(const GalleryArguments& arguments, const CommonArguments& common
     folders.push_back(find_scene(name));
   }
   const Renderer renderer(common, terminal);
+  const FolderLock lock(arguments.folder, FolderLock::Kind::alone);
   const auto pieces = make_gallery(folders.empty() ? scene_folders() : folders, arguments.quality,
                                    arguments.folder, renderer.tools);
   print_paths(common, write_gallery(pieces, arguments.folder));
@@ -173,6 +178,7 @@ int run_gallery(const GalleryArguments& arguments, const CommonArguments& common
 
 int run_still(const PictureArguments& arguments, const CommonArguments& common,
               Terminal& terminal) {
+  const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
   const Scene scene = finished_scene(arguments);
   require_element(arguments, scene);
   PictureFormat format = scene.render.exr ? PictureFormat::exr : PictureFormat::png;
@@ -203,6 +209,7 @@ int run_still(const PictureArguments& arguments, const CommonArguments& common,
 
 int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
                   Terminal& terminal) {
+  const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
   const Scene scene = finished_scene(arguments);
   require_frames(arguments, scene);
   const Renderer renderer(common, terminal);
@@ -215,6 +222,7 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
 
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal) {
+  const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
   const Scene scene = finished_scene(arguments);
   if (arguments.pictures == Pictures::preview) {
     SystemRunner runner;

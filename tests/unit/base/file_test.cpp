@@ -84,6 +84,41 @@ TEST_F(FileTest, ReadsOnlyRegularFilesOfTheSizeAllowed) {
   EXPECT_THROW(read_file(folder_ / "file", 4), Error);
 }
 
+TEST_F(FileTest, ClearsAwayWhatAKilledProcessLeftAndNothingElse) {
+  write_file(folder_ / "a" / ".collage-part-1-0", "left over");
+  write_file(folder_ / "a" / "part-1-0", "somebody's");
+  fs::rename(folder_ / "a", folder_ / "c");
+  FileWriter unfinished(folder_ / "c" / "unfinished");  // looks at c
+  EXPECT_FALSE(fs::exists(folder_ / "c" / ".collage-part-1-0"));
+  EXPECT_TRUE(fs::exists(folder_ / "c" / "part-1-0"));
+  fs::rename(folder_ / "c", folder_ / "d");
+  write_file(folder_ / "d" / "other", "");  // looks at d, where `unfinished` is held by us
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "d"), fs::directory_iterator()), 3);
+  fs::rename(folder_ / "d", folder_ / "c");
+  unfinished.append("whole");
+  unfinished.commit();
+  EXPECT_EQ(read_file(folder_ / "c" / "unfinished"), "whole");
+}
+
+TEST_F(FileTest, PutsNothingInThePlaceOfADevice) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/null", folder_ / "link");
+  for (const char* name : {"pipe", "link", "."}) {
+    EXPECT_THROW(write_file(folder_ / name, "x"), Error) << name;
+  }
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+  EXPECT_TRUE(fs::is_character_file(folder_ / "link"));
+  EXPECT_EQ(file_count(), 2U);
+}
+
+TEST_F(FileTest, ALinkGivesWayToTheFileAndItsTargetStays) {
+  write_file(folder_ / "target", "old");
+  fs::create_symlink("target", folder_ / "link");
+  write_file(folder_ / "link", "new");
+  EXPECT_EQ(read_file(folder_ / "target"), "old");
+  EXPECT_EQ(read_file(folder_ / "link"), "new");
+}
+
 TEST_F(FileTest, SaysWhichFileCannotBeWritten) {
   write_file(folder_ / "file", "");
   try {
