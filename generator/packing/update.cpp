@@ -185,15 +185,18 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
     }
     return;
   }
-  std::vector<std::size_t> flagged(done.maxima.size());
-  std::vector<std::vector<Update::Voxel>> before(done.maxima.size());
-  tbb::parallel_for(std::size_t{0}, done.maxima.size(), [&](std::size_t b) {
+  const std::size_t blocks = done.maxima.size();
+  done.shares.resize(std::max(done.shares.size(), blocks));
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
     BlockUpdate mine = work;
-    flagged[b] = mine.run(done.maxima[b], before[b]);
+    Update::Share& share = done.shares[b];
+    share.before.clear();
+    share.voxels_flagged = mine.run(done.maxima[b], share.before);
   });
-  for (std::size_t b = 0; b < flagged.size(); ++b) {
-    done.voxels_flagged += flagged[b];
-    done.before.insert(done.before.end(), before[b].begin(), before[b].end());
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const Update::Share& share = done.shares[b];
+    done.voxels_flagged += share.voxels_flagged;
+    done.before.insert(done.before.end(), share.before.begin(), share.before.end());
   }
 }
 

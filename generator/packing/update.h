@@ -42,6 +42,13 @@ struct Update {
   std::size_t voxels_flagged = 0;
   std::vector<Voxel> before;
   std::vector<Maximum> maxima;
+
+  /// Of one of many blocks, while threads share them.
+  struct Share {
+    std::size_t voxels_flagged = 0;
+    std::vector<Voxel> before;
+  };
+  std::vector<Share> shares;
 };
 
 /// Accounts for instance `id` (Muhm 2011, Fig. 12), which fills `hole`: voxels inside it are
