@@ -91,7 +91,8 @@ Workshop::Workshop(const Scene& scene, Status& status) {
   }
   elements.resize(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t e) {
-    elements[e] = std::make_unique<Element>(element_files[e].mesh, scene.packing.distance);
+    elements[e] =
+        std::make_unique<Element>(element_files[e].mesh, scene.packing.distance, scene.packing.fit);
   });
   for (std::size_t e = 0; e < count; ++e) {
     const Scene::Element& wanted = scene.elements[e];

@@ -1,6 +1,7 @@
 #include "geometry/closest_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -10,22 +11,54 @@
 namespace collage {
 namespace {
 
-/// A triangle with a ball round it.
-struct Facet {
-  dvec3 a, b, c;
+/// A disc that holds a triangle, as thick as rounding has it.
+struct Disc {
   dvec3 center;
-  double radius;
+  /// Unit vector at right angles to it; 0 for a triangle without area, which the disc's ball holds.
+  dvec3 normal{0.0};
+  double radius = 0.0;
+  double half_thickness = 0.0;
 
-  Facet(const dvec3& a_, const dvec3& b_, const dvec3& c_)
-      : a(a_), b(b_), c(c_), center((a_ + b_ + c_) / 3.0) {
-    // With some room, so that rounding never makes a point look farther than it is.
-    radius = 1e-12 + std::max({glm::distance(center, a), glm::distance(center, b),
-                               glm::distance(center, c)});
+  explicit Disc(const std::array<dvec3, 3>& triangle)
+      : center((triangle[0] + triangle[1] + triangle[2]) / 3.0) {
+    const dvec3 area = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const double length = glm::length(area);
+    if (length > 0.0) {
+      normal = area / length;
+    }
+    for (const dvec3& corner : triangle) {
+      radius = std::max(radius, glm::distance(center, corner));
+      half_thickness = std::max(half_thickness, std::abs(glm::dot(normal, corner - center)));
+    }
+    // Some room, so that rounding never makes a point look farther than it is.
+    radius += 1e-12;
+    half_thickness += 1e-12;
+  }
+
+  /// Whether all of it is farther from a point than `distance`.
+  [[nodiscard]] bool is_beyond(const dvec3& point, double distance) const {
+    const dvec3 to_center = center - point;
+    const double squared = glm::dot(to_center, to_center);
+    const double reach = distance + radius;
+    if (squared > reach * reach) {
+      return true;
+    }
+    const double height = glm::dot(normal, to_center);
+    const double above = std::max(0.0, std::abs(height) - half_thickness);
+    const double beside =
+        std::max(0.0, std::sqrt(std::max(0.0, squared - height * height)) - radius);
+    return above * above + beside * beside > distance * distance * (1.0 + 1e-12);
   }
 };
 
+/// A mesh's triangles, and around each a disc.
+struct Facets {
+  std::vector<Disc> discs;
+  std::vector<std::array<dvec3, 3>> triangles;
+};
+
 struct Search {
-  const std::vector<Facet>* facets;
+  const Facets* facets;
   ClosestPointIndex::Surface surface;
   dvec3 query;
   ClosestPoint best;
@@ -46,15 +79,13 @@ dvec3 closest_corner(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3
 
 /// True where the triangle is nearer than the best, or as near and comes before it.
 bool Search::visit(std::uint32_t triangle) {
-  const Facet& facet = (*facets)[triangle];
-  const dvec3 to_center = facet.center - query;
-  const double reach = best.distance + facet.radius;
-  if (glm::dot(to_center, to_center) >= reach * reach) {
+  if (facets->discs[triangle].is_beyond(query, best.distance)) {
     return false;
   }
+  const auto& [a, b, c] = facets->triangles[triangle];
   const dvec3 point = surface == ClosestPointIndex::Surface::triangles
-                          ? closest_point_on_triangle(query, facet.a, facet.b, facet.c)
-                          : closest_corner(query, facet.a, facet.b, facet.c);
+                          ? closest_point_on_triangle(query, a, b, c)
+                          : closest_corner(query, a, b, c);
   const double distance = glm::distance(query, point);
   if (distance > best.distance || (distance == best.distance && triangle >= best.triangle)) {
     return false;
@@ -117,15 +148,17 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
 }
 
 struct ClosestPointIndex::Hierarchy {
-  std::vector<Facet> facets;
+  Facets facets;
   Surface surface;
   EmbreeScene scene;
 
   Hierarchy(const Mesh& mesh, Surface what)
       : surface(what), scene(embree_triangles(mesh), RTC_SCENE_FLAG_NONE) {
-    facets.reserve(mesh.triangles.size());
+    facets.discs.reserve(mesh.triangles.size());
+    facets.triangles.reserve(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      facets.emplace_back(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+      facets.triangles.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+      facets.discs.emplace_back(facets.triangles.back());
     }
   }
 };

@@ -22,6 +22,7 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
   nearest_.assign(voxels, NearestSurface(target_surface));
   leaves_ = std::bit_ceil(blocks);
   maxima_.assign(2 * leaves_, -1.0F);
+  last_neighbour_.assign(blocks, 0);
 
   const glm::ivec3 n = grid_.blocks();
   const std::size_t layer = static_cast<std::size_t>(n.x) * n.y;
@@ -90,6 +91,11 @@ void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
     }
     maxima_[node] = winner;
   }
+}
+
+void ClearanceField::add_neighbour(std::size_t block, SurfaceId id) {
+  neighbours_.push_back({id, last_neighbour_[block]});
+  last_neighbour_[block] = static_cast<std::uint32_t>(neighbours_.size() - 1);
 }
 
 void ClearanceField::close(const Peak& peak) {

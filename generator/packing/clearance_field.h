@@ -22,7 +22,8 @@ struct Hole {
 /// negative (and of no particular size) outside the target and inside instances.
 ///
 /// A clearance is known between two bounds, which meet where it is exact: it is asked exactly only
-/// where that decides, as it does for a hole to be filled. Memory: 8 bytes a voxel.
+/// where that decides, as it does for a hole to be filled. Memory: 8 bytes a voxel, and 8 for each
+/// block that an instance comes near to.
 class ClearanceField {
  public:
   /// One block of 8³ voxels, open to change by one thread at a time.
@@ -54,6 +55,15 @@ class ClearanceField {
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
+  /// Notes that instance `id` may be the nearest surface to voxels of a block.
+  void add_neighbour(std::size_t block, SurfaceId id);
+  /// Calls `visit(id)` for each such instance.
+  template <class Visit>
+  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+    for (std::uint32_t n = last_neighbour_[block]; n != 0; n = neighbours_[n].previous) {
+      visit(neighbours_[n].id);
+    }
+  }
   /// Gives up a hole: its voxel has no clearance from now on.
   void close(const Peak& peak);
   /// The largest upper bound in the block, from its voxels.
@@ -70,6 +80,14 @@ class ClearanceField {
   std::vector<float> maxima_;
   std::size_t leaves_ = 1;
   std::size_t voxels_inside_ = 0;
+
+  struct Neighbour {
+    SurfaceId id;
+    /// Index of the same block's neighbour before; 0: none.
+    std::uint32_t previous;
+  };
+  std::vector<Neighbour> neighbours_{1};
+  std::vector<std::uint32_t> last_neighbour_;
 };
 
 }  // namespace collage

@@ -15,14 +15,17 @@ std::optional<ClosestPointIndex> vertex_index(const Mesh& mesh, const Sphere& sp
 
 }  // namespace
 
-Element::Element(const Mesh& mesh, Distance distance)
-    : Element(mesh, smallest_enclosing_sphere(mesh.positions), distance) {}
+Element::Element(const Mesh& mesh, Distance distance, Fit fit)
+    : Element(mesh, smallest_enclosing_sphere(mesh.positions), distance, fit) {}
 
-Element::Element(const Mesh& mesh, const Sphere& sphere, Distance distance)
+Element::Element(const Mesh& mesh, const Sphere& sphere, Distance distance, Fit fit)
     : solid_(mesh, sphere.center, sphere.radius),
       vertices_(vertex_index(mesh, sphere, distance)),
-      distance_bounds_(distance_index()),
       farthest_direction_(farthest_point(mesh.positions, sphere.center).direction),
-      faces_(mesh.triangles.size()) {}
+      faces_(mesh.triangles.size()) {
+  if (fit == Fit::sphere) {
+    distance_bounds_.emplace(distance_index());
+  }
+}
 
 }  // namespace collage

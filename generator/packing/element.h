@@ -12,8 +12,9 @@ namespace collage {
 /// A mesh made ready to be placed. Its unit frame has the smallest enclosing sphere as unit ball.
 class Element {
  public:
-  /// `distance` says what distances to the element will be measured to.
-  explicit Element(const Mesh& mesh, Distance distance = Distance::exact);
+  /// `distance` says what distances to the element will be measured to; bounds on them are there
+  /// for packing by spheres alone, as they cost about 100,000 queries.
+  explicit Element(const Mesh& mesh, Distance distance = Distance::exact, Fit fit = Fit::sphere);
 
   /// The element's size: radius of the smallest enclosing sphere, in the mesh's units.
   [[nodiscard]] double size() const { return solid_.radius(); }
@@ -27,16 +28,16 @@ class Element {
   [[nodiscard]] const ClosestPointIndex& distance_index() const {
     return vertices_ ? *vertices_ : solid_.surface();
   }
-  /// Bounds on them.
-  [[nodiscard]] const DistanceBounds& distance_bounds() const { return distance_bounds_; }
+  /// Bounds on them, of an element for packing by spheres.
+  [[nodiscard]] const DistanceBounds& distance_bounds() const { return *distance_bounds_; }
 
  private:
-  Element(const Mesh& mesh, const Sphere& sphere, Distance distance);
+  Element(const Mesh& mesh, const Sphere& sphere, Distance distance, Fit fit);
 
   Solid solid_;
   /// Only where distances are approximated by those to the vertices.
   std::optional<ClosestPointIndex> vertices_;
-  DistanceBounds distance_bounds_;
+  std::optional<DistanceBounds> distance_bounds_;
   dvec3 farthest_direction_;
   std::size_t faces_;
 };

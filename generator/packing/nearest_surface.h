@@ -10,7 +10,9 @@ namespace collage {
 using SurfaceId = std::uint32_t;
 inline constexpr SurfaceId target_surface = 0;
 /// More instances than this cannot be told apart.
-inline constexpr SurfaceId most_surfaces = (1U << 24) - 1;
+inline constexpr SurfaceId most_surfaces = (1U << 24) - 2;
+/// Which of several surfaces is the nearest has not been found out.
+inline constexpr SurfaceId several_surfaces = most_surfaces + 1;
 
 /// Which surface is nearest to a voxel, and how far below the stored upper bound the clearance may
 /// lie: the gap, in voxels, rounded up to 3 bits of mantissa and 5 of exponent. 4 bytes.
@@ -22,7 +24,7 @@ class NearestSurface {
   NearestSurface(SurfaceId id, float gap_voxels) : bits_(id | code(gap_voxels) << 24) {}
   bool operator==(const NearestSurface&) const = default;
 
-  [[nodiscard]] SurfaceId id() const { return bits_ & most_surfaces; }
+  [[nodiscard]] SurfaceId id() const { return bits_ & several_surfaces; }
   [[nodiscard]] bool is_exact() const { return bits_ >> 24 == 0; }
   /// For a bound in world units. Not below 0.
   [[nodiscard]] float lower(float upper, float voxel_side) const {

@@ -8,17 +8,20 @@
 namespace collage {
 namespace {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+/// The element's coarse grid serves instances of at most this many voxels across their radius.
+constexpr double coarse_radius_voxels = 3.0;
 
 /// A limit that a distance known to be at most `upper` is below, however it is rounded.
 double beyond(double upper) { return upper * (1.0 + 1e-5) + std::numeric_limits<double>::min(); }
 
 }  // namespace
 
-PlacedElement::PlacedElement(const Element& element, const Instance& instance)
+PlacedElement::PlacedElement(const Element& element, const Instance& instance, double voxel_side)
     : element_(&element),
       center_(instance.world_from_element(element.center())),
       radius_(instance.scale * element.size()),
+      detail_(radius_ < coarse_radius_voxels * voxel_side ? DistanceBounds::Detail::coarse
+                                                          : DistanceBounds::Detail::fine),
       unit_from_world_(glm::transpose(glm::mat3_cast(instance.rotation)) * (1.0 / radius_)) {}
 
 float PlacedElement::distance(const dvec3& unit, double limit) const {
@@ -29,42 +32,42 @@ float PlacedElement::distance(const dvec3& unit, double limit) const {
                  : std::numeric_limits<float>::infinity();
 }
 
-float Surfaces::clearance(SurfaceId id, const dvec3& point, double upper) const {
+void Surfaces::consider(SurfaceId id, const dvec3& point, Nearest& nearest) const {
+  float clearance = 0.0F;
   if (id == target_surface) {
-    return rounded_down(target_.clearance(point));
-  }
-  const PlacedElement neighbour = placed(instances[id - 1]);
-  return neighbour.distance(neighbour.unit_from_world(point), beyond(upper));
-}
-
-std::pair<SurfaceId, float> Surfaces::nearest(const dvec3& point) const {
-  SurfaceId nearest = target_surface;
-  float clearance = rounded_down(target_.clearance(point));
-  for (std::size_t i = 0; i < instances.size(); ++i) {
-    const Instance& instance = instances[i];
+    clearance = rounded_down(target_.clearance_below(point, beyond(nearest.clearance)));
+  } else {
+    const Instance& instance = instances[id - 1];
     const Element& element = *elements_[instance.element];
-    const dvec3 center = instance.world_from_element(element.center());
-    if (glm::distance(point, center) - instance.scale * element.size() >= clearance) {
-      continue;
+    const dvec3 away = point - instance.world_from_element(element.center());
+    const double reach = instance.scale * element.size() + nearest.clearance;
+    if (glm::dot(away, away) > reach * reach * (1.0 + 4e-5)) {
+      return;
     }
-    const PlacedElement neighbour(element, instance);
-    const float distance = neighbour.distance(neighbour.unit_from_world(point), clearance);
-    if (distance < clearance) {
-      nearest = static_cast<SurfaceId>(i + 1);
-      clearance = distance;
+    const PlacedElement neighbour = placed(id);
+    const dvec3 unit = neighbour.unit_from_world(point);
+    const double limit = beyond(nearest.clearance);
+    if (neighbour.bounds(unit, static_cast<float>(limit))) {
+      clearance = neighbour.distance(unit, limit);
+    } else {
+      return;
     }
   }
-  return {nearest, clearance};
+  if (clearance < nearest.clearance || (clearance == nearest.clearance && id < nearest.id)) {
+    nearest = {id, clearance};
+  }
 }
 
-dvec3 Surfaces::direction(SurfaceId id, const dvec3& point) const {
+dvec3 Surfaces::direction(SurfaceId id, const dvec3& point, double clearance) const {
   if (id == target_surface) {
     return target_.direction_to_surface(point);
   }
   const Instance& neighbour = instances[id - 1];
-  const Solid& solid = elements_[neighbour.element]->solid();
-  const dvec3 unit = solid.unit_from_mesh(neighbour.element_from_world(point));
-  const auto closest = solid.surface().find(unit, unbounded);
+  const Element& element = *elements_[neighbour.element];
+  const dvec3 unit = element.solid().unit_from_mesh(neighbour.element_from_world(point));
+  const double limit = beyond(clearance) / (neighbour.scale * element.size());
+  const auto closest = element.solid().surface().find(
+      unit, limit + 2.0 * ClosestPointIndex::error(unit), element.distance_bounds().hint(unit));
   return glm::normalize(neighbour.rotation * (closest->point - unit));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <utility>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "geometry/instance.h"
@@ -13,7 +15,8 @@ namespace collage {
 /// An instance seen from points in the world.
 class PlacedElement {
  public:
-  PlacedElement(const Element& element, const Instance& instance);
+  /// Bounds are coarser where the instance covers few voxels of this side.
+  PlacedElement(const Element& element, const Instance& instance, double voxel_side = 0.0);
 
   /// Centre and radius of the bounding sphere.
   [[nodiscard]] const dvec3& center() const { return center_; }
@@ -24,16 +27,62 @@ class PlacedElement {
   [[nodiscard]] bool holds(const dvec3& unit) const {
     return glm::dot(unit, unit) <= 1.0 && element_->solid().inside(unit);
   }
+  /// Distance to the bounding sphere, negative within: never above distance(), whatever that was
+  /// rounded by.
+  [[nodiscard]] double distance_to_sphere(const dvec3& point) const {
+    return (glm::distance(point, center_) - radius_) * (1.0 - 2e-6) - 4e-6 * radius_;
+  }
   /// Exact distance in world units, rounded down to float; infinite where that is not below
   /// `limit`. `unit` is outside. The result is the same for every limit that it is below.
   [[nodiscard]] float distance(const dvec3& unit, double limit) const;
+  /// Around distance(), in world units; nothing where that is not below `limit`.
+  struct Bounds {
+    float lower;
+    float upper;
+  };
+  [[nodiscard]] std::optional<Bounds> bounds(const dvec3& unit, float limit) const {
+    const glm::vec3 query(unit);
+    const float error = float_error * (1.0F + glm::length(query));
+    const DistanceBounds::Squared squared = squared_bounds(query);
+    const auto radius = static_cast<float>(radius_);
+    const float unit_limit = limit / radius * above_one + error;
+    if (squared.lower >= unit_limit * unit_limit * above_one) {
+      return std::nullopt;
+    }
+    const float lower = std::sqrt(std::max(0.0F, squared.lower)) * below_one - error;
+    const float upper = std::sqrt(std::max(0.0F, squared.lower + squared.gap)) + error;
+    return Bounds{std::max(0.0F, lower) * radius * below_one, upper * radius * above_one};
+  }
   [[nodiscard]] const Element& element() const { return *element_; }
 
+  /// Outweigh the rounding of a few operations.
+  static constexpr float below_one = 1.0F - 0x1p-21F;
+  static constexpr float above_one = 1.0F + 0x1p-21F;
+
  private:
+  /// What is taken off a distance that was found exactly, and that rounding to float loses.
+  static constexpr float float_error = 2e-6F;
+
+  [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
+    const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
+    if (farthest < DistanceBounds::reach) {
+      return element_->distance_bounds().squared(query, detail_);
+    }
+    const float length = glm::length(query);  // within the unit ball: between length - 1 and + 1
+    return {(length - 1.0F) * (length - 1.0F), 4.0F * length};
+  }
+
   const Element* element_;
   dvec3 center_;
   double radius_;
+  DistanceBounds::Detail detail_;
   glm::dmat3 unit_from_world_;
+};
+
+/// The nearest of some surfaces, and the clearance that it leaves.
+struct Nearest {
+  SurfaceId id = several_surfaces;
+  float clearance = std::numeric_limits<float>::infinity();
 };
 
 /// The target and the instances placed so far.
@@ -45,16 +94,16 @@ class Surfaces {
 
   std::vector<Instance> instances;
 
-  [[nodiscard]] PlacedElement placed(const Instance& instance) const {
-    return {*elements_[instance.element], instance};
+  /// Instance `id`; see PlacedElement.
+  [[nodiscard]] PlacedElement placed(SurfaceId id, double voxel_side = 0.0) const {
+    const Instance& instance = instances[id - 1];
+    return {*elements_[instance.element], instance, voxel_side};
   }
-  /// The clearance at a point that is in no instance, as far as one surface is concerned; known to
-  /// be at most `upper`.
-  [[nodiscard]] float clearance(SurfaceId id, const dvec3& point, double upper) const;
-  /// The nearest surface with the clearance, by a look at every instance: O(n).
-  [[nodiscard]] std::pair<SurfaceId, float> nearest(const dvec3& point) const;
-  /// Unit vector to the nearest point of the surface.
-  [[nodiscard]] dvec3 direction(SurfaceId id, const dvec3& point) const;
+  /// Makes a surface the nearest to a point, which is in no instance, where it is nearer than the
+  /// one so far, or as near and comes before it.
+  void consider(SurfaceId id, const dvec3& point, Nearest& nearest) const;
+  /// Unit vector to the nearest point of the surface, whose distance() is `clearance`.
+  [[nodiscard]] dvec3 direction(SurfaceId id, const dvec3& point, double clearance) const;
 
  private:
   const Target& target_;

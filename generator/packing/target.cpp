@@ -51,6 +51,13 @@ double MeshTarget::clearance(const dvec3& point, std::optional<std::uint32_t>& h
   return std::max(0.0, closest->distance - ClosestPointIndex::error(unit)) * solid_.radius();
 }
 
+double MeshTarget::clearance_below(const dvec3& point, double limit) const {
+  const dvec3 unit = solid_.unit_from_mesh(point);
+  const double error = ClosestPointIndex::error(unit);
+  const auto closest = solid_.surface().find(unit, limit / solid_.radius() + error);
+  return closest ? std::max(0.0, closest->distance - error) * solid_.radius() : unbounded;
+}
+
 void MeshTarget::clearances(std::span<const dvec3> points, std::span<double> clearances) const {
   std::optional<std::uint32_t> hint;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -22,6 +22,8 @@ class Target {
                                          std::uint64_t seed) const = 0;
   /// Distance from a point inside to the surface, never more than the true one; negative outside.
   [[nodiscard]] virtual double clearance(const dvec3& point) const = 0;
+  /// The same of a point inside, cheaper; may be infinite where it is not below `limit`.
+  [[nodiscard]] virtual double clearance_below(const dvec3& point, double limit) const = 0;
   /// The same for many points, faster where each is near the one before it.
   virtual void clearances(std::span<const dvec3> points, std::span<double> clearances) const;
   /// The distance to the surface, up to rounding; negative outside.
@@ -39,6 +41,7 @@ class MeshTarget : public Target {
   [[nodiscard]] double volume() const override { return solid_.volume(); }
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  [[nodiscard]] double clearance_below(const dvec3& point, double limit) const override;
   void clearances(std::span<const dvec3> points, std::span<double> clearances) const override;
   [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
@@ -60,6 +63,9 @@ class GridTarget : public Target {
   [[nodiscard]] double volume() const override;
   [[nodiscard]] VoxelGrid voxels(int resolution, double jitter, std::uint64_t seed) const override;
   [[nodiscard]] double clearance(const dvec3& point) const override;
+  [[nodiscard]] double clearance_below(const dvec3& point, double /*limit*/) const override {
+    return clearance(point);
+  }
   [[nodiscard]] double signed_clearance(const dvec3& point) const override;
   [[nodiscard]] dvec3 direction_to_surface(const dvec3& point) const override;
 

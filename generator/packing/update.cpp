@@ -13,105 +13,38 @@
 namespace collage {
 namespace {
 
-/// The element's coarse grid serves instances of at most this many voxels across their radius.
-constexpr double coarse_radius_voxels = 3.0;
 /// A footprint of more blocks than this is worth being shared among threads.
 constexpr std::size_t blocks_on_one_thread = 64;
-
-/// The new instance, and the bounds on the distance to it.
-class Newcomer {
- public:
-  Newcomer(const PlacedElement& placed, const VoxelGrid& grid)
-      : placed_(placed),
-        radius_(static_cast<float>(placed.radius())),
-        voxel_side_(static_cast<float>(grid.voxel_side)),
-        detail_(placed.radius() < coarse_radius_voxels * grid.voxel_side
-                    ? DistanceBounds::Detail::coarse
-                    : DistanceBounds::Detail::fine) {}
-
-  [[nodiscard]] const PlacedElement& placed() const { return placed_; }
-
-  /// In world units, around the distance that PlacedElement::distance() finds.
-  struct Bounds {
-    float lower;
-    float upper;
-  };
-  /// False where the distance is not below `limit`.
-  [[nodiscard]] bool find(const dvec3& unit, float limit, Bounds& bounds) const {
-    const glm::vec3 query(unit);
-    const float error = float_error * (1.0F + glm::length(query));
-    const DistanceBounds::Squared squared = squared_bounds(query);
-    const float unit_limit = limit / radius_ * above_one + error;
-    if (squared.lower >= unit_limit * unit_limit * above_one) {
-      return false;
-    }
-    const float lower = std::sqrt(std::max(0.0F, squared.lower)) * below_one - error;
-    bounds.lower = std::max(0.0F, lower) * radius_ * below_one;
-    const float upper = std::sqrt(std::max(0.0F, squared.lower + squared.gap)) + error;
-    bounds.upper = upper * radius_ * above_one;
-    return true;
-  }
-  [[nodiscard]] NearestSurface nearest(SurfaceId id, const Bounds& bounds) const {
-    return {id, (bounds.upper - bounds.lower) / voxel_side_ * above_one};
-  }
-
- private:
-  /// What is taken off a distance that was found exactly, and that rounding to float loses.
-  static constexpr float float_error = 2e-6F;
-  /// Outweigh the rounding of a few operations.
-  static constexpr float below_one = 1.0F - 0x1p-21F;
-  static constexpr float above_one = 1.0F + 0x1p-21F;
-
-  [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
-    const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
-    if (farthest < DistanceBounds::reach) {
-      return placed_.element().distance_bounds().squared(query, detail_);
-    }
-    const float length = glm::length(query);  // within the unit ball: between length - 1 and + 1
-    return {(length - 1.0F) * (length - 1.0F), 4.0F * length};
-  }
-
-  const PlacedElement& placed_;
-  float radius_;
-  float voxel_side_;
-  DistanceBounds::Detail detail_;
-};
 
 /// Updates the voxels of one block.
 class BlockUpdate {
  public:
-  BlockUpdate(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
-              const Newcomer& newcomer, float useless)
+  BlockUpdate(ClearanceField& field, SurfaceId id, const PlacedElement& placed, float useless)
       : field_(field),
-        surfaces_(surfaces),
         id_(id),
-        newcomer_(newcomer),
+        placed_(placed),
         useless_(useless),
         voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
 
   /// Returns the number of voxels flagged.
-  std::size_t run(std::size_t index, std::vector<Update::Voxel>& before);
+  std::size_t run(Update::Maximum& result, std::vector<Update::Voxel>& before);
 
  private:
-  struct Point {
-    dvec3 world;
-    dvec3 unit;
-    double to_sphere;
-  };
-
   void visit(std::size_t slot);
-  void set_distance(std::size_t slot, const Point& at);
-  void resolve(std::size_t slot, const Point& at, const Newcomer::Bounds& bounds);
-  void keep(std::size_t slot, float upper, NearestSurface nearest) {
+  void set_distance(std::size_t slot, const dvec3& unit);
+  void record(std::size_t slot) {
     before_->push_back({index_, slot, block_.upper[slot], block_.nearest[slot]});
-    block_.upper[slot] = upper;
-    block_.nearest[slot] = nearest;
+  }
+  void keep(std::size_t slot, SurfaceId nearest, const PlacedElement::Bounds& bounds) {
+    record(slot);
+    block_.upper[slot] = bounds.upper;
+    const float gap_voxels = (bounds.upper - bounds.lower) / voxel_side_ * PlacedElement::above_one;
+    block_.nearest[slot] = {nearest, gap_voxels};
   }
 
   ClearanceField& field_;
-  const Surfaces& surfaces_;
   SurfaceId id_;
-  const Newcomer& newcomer_;
+  const PlacedElement& placed_;
   float useless_;
   float voxel_side_;
 
@@ -119,22 +52,23 @@ class BlockUpdate {
   ClearanceField::Block block_{};
   std::vector<Update::Voxel>* before_ = nullptr;
   std::size_t flagged_ = 0;
+  bool is_near_ = false;
 };
 
-std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>& before) {
-  index_ = index;
-  block_ = field_.block(index);
+std::size_t BlockUpdate::run(Update::Maximum& result, std::vector<Update::Voxel>& before) {
+  index_ = result.block;
+  block_ = field_.block(index_);
   before_ = &before;
   flagged_ = 0;
+  is_near_ = false;
   const VoxelGrid& grid = field_.grid();
-  const PlacedElement& placed = newcomer_.placed();
   // From the voxels' centres, which are so near to the sample points.
   const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
-  const auto radius = static_cast<float>(placed.radius() + off_center);
-  const float maximum = field_.block_maximum(index);
+  const auto radius = static_cast<float>(placed_.radius() * (1.0 + 1e-5) + off_center);
+  const float maximum = field_.block_maximum(index_);
   const float reach = radius + (maximum < useless_ ? 0.0F : maximum);
   const dvec3 first_center = grid.origin + (dvec3(block_.first_voxel) + 0.5) * grid.voxel_side;
-  const glm::vec3 first(first_center - placed.center());
+  const glm::vec3 first(first_center - placed_.center());
   const auto side = static_cast<float>(grid.voxel_side);
   std::array<float, VoxelGrid::block_side> squared_x;
   for (int x = 0; x < VoxelGrid::block_side; ++x) {
@@ -166,63 +100,42 @@ std::size_t BlockUpdate::run(std::size_t index, std::vector<Update::Voxel>& befo
       }
     }
   }
+  result.upper = field_.scan_block(index_);
+  result.is_near = is_near_;
   return flagged_;
 }
 
 void BlockUpdate::visit(std::size_t slot) {
-  const PlacedElement& placed = newcomer_.placed();
-  Point at;
-  at.world = field_.grid().sample_point(block_.first_voxel + VoxelGrid::local_at(slot));
-  at.to_sphere = glm::distance(at.world, placed.center()) - placed.radius();
-  if (at.to_sphere >= block_.upper[slot]) {
+  const dvec3 point = field_.grid().sample_point(block_.first_voxel + VoxelGrid::local_at(slot));
+  if (placed_.distance_to_sphere(point) >= block_.upper[slot]) {
     return;
   }
-  at.unit = placed.unit_from_world(at.world);
-  if (placed.holds(at.unit)) {
-    keep(slot, -1.0F, block_.nearest[slot]);
+  const dvec3 unit = placed_.unit_from_world(point);
+  if (placed_.holds(unit)) {
+    record(slot);
+    block_.upper[slot] = -1.0F;
     ++flagged_;
     return;
   }
   if (block_.upper[slot] >= useless_) {
-    set_distance(slot, at);
+    set_distance(slot, unit);
   }
 }
 
-void BlockUpdate::set_distance(std::size_t slot, const Point& at) {
+void BlockUpdate::set_distance(std::size_t slot, const dvec3& unit) {
   const float upper = block_.upper[slot];
-  const NearestSurface nearest = block_.nearest[slot];
-  Newcomer::Bounds bounds{};
-  if (!newcomer_.find(at.unit, upper, bounds)) {
-    return;
-  }
-  if (bounds.upper < nearest.lower(upper, voxel_side_)) {
-    keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
-  } else if (bounds.upper >= useless_) {
-    resolve(slot, at, bounds);
-  } else {
-    keep(slot, bounds.upper, NearestSurface(id_));
-  }
-}
+  const auto bounds = placed_.bounds(unit, upper);
 
-/// Asks the surface that was nearest, and the new one where that is not enough.
-void BlockUpdate::resolve(std::size_t slot, const Point& at, const Newcomer::Bounds& bounds) {
-  const SurfaceId before = block_.nearest[slot].id();
-  float clearance = block_.upper[slot];
-  if (!block_.nearest[slot].is_exact()) {
-    clearance = surfaces_.clearance(before, at.world, clearance);
-    keep(slot, clearance, NearestSurface(before));
-  }
-  if (at.to_sphere >= clearance || bounds.lower >= clearance) {
+  if (!bounds) {
     return;
   }
-  if (bounds.upper < clearance) {
-    keep(slot, bounds.upper, newcomer_.nearest(id_, bounds));
-    return;
+  const float lower = block_.nearest[slot].lower(upper, voxel_side_);
+  if (bounds->upper < std::max(lower, useless_)) {
+    keep(slot, id_, *bounds);
+  } else {
+    keep(slot, several_surfaces, {std::min(lower, bounds->lower), std::min(upper, bounds->upper)});
   }
-  const float distance = newcomer_.placed().distance(at.unit, clearance);
-  if (distance < clearance) {
-    keep(slot, distance, NearestSurface(id_));
-  }
+  is_near_ = true;
 }
 
 }  // namespace
@@ -240,8 +153,8 @@ BlockRange footprint(const VoxelGrid& grid, const Hole& hole) {
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
             float useless, Update& done) {
   const VoxelGrid& grid = field.grid();
-  const PlacedElement placed = surfaces.placed(surfaces.instances[id - 1]);
-  const Newcomer newcomer(placed, grid);
+  const PlacedElement placed = surfaces.placed(id, grid.voxel_side);
+  done.id = id;
   done.voxels_flagged = 0;
   done.before.clear();
   done.maxima.clear();
@@ -258,37 +171,41 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
           continue;
         }
         const dvec3 corner = grid.origin + dvec3(at) * block_side;
-        const double reach = placed.radius() + (maximum < useless ? 0.0F : maximum);
+        const double reach = placed.radius() * (1.0 + 1e-5) + (maximum < useless ? 0.0F : maximum);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
-          done.maxima.push_back({index, maximum});
+          done.maxima.push_back({index, maximum, false});
         }
       }
     }
   }
-  BlockUpdate work(field, surfaces, id, newcomer, useless);
+  BlockUpdate work(field, id, placed, useless);
   if (done.maxima.size() <= blocks_on_one_thread) {
     for (Update::Maximum& maximum : done.maxima) {
-      done.voxels_flagged += work.run(maximum.block, done.before);
-      maximum.upper = field.scan_block(maximum.block);
+      done.voxels_flagged += work.run(maximum, done.before);
     }
     return;
   }
-  std::vector<std::size_t> flagged(done.maxima.size());
-  std::vector<std::vector<Update::Voxel>> before(done.maxima.size());
-  tbb::parallel_for(std::size_t{0}, done.maxima.size(), [&](std::size_t b) {
+  const std::size_t blocks = done.maxima.size();
+  done.shares.resize(std::max(done.shares.size(), blocks));
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
     BlockUpdate mine = work;
-    flagged[b] = mine.run(done.maxima[b].block, before[b]);
-    done.maxima[b].upper = field.scan_block(done.maxima[b].block);
+    Update::Share& share = done.shares[b];
+    share.before.clear();
+    share.voxels_flagged = mine.run(done.maxima[b], share.before);
   });
-  for (std::size_t b = 0; b < flagged.size(); ++b) {
-    done.voxels_flagged += flagged[b];
-    done.before.insert(done.before.end(), before[b].begin(), before[b].end());
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const Update::Share& share = done.shares[b];
+    done.voxels_flagged += share.voxels_flagged;
+    done.before.insert(done.before.end(), share.before.begin(), share.before.end());
   }
 }
 
 void commit(ClearanceField& field, const Update& done) {
   for (const Update::Maximum& maximum : done.maxima) {
     field.set_block_maximum(maximum.block, maximum.upper);
+    if (maximum.is_near) {
+      field.add_neighbour(maximum.block, done.id);
+    }
   }
 }
 
@@ -305,15 +222,27 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   const ClearanceField::Block block = field.block(peak.block);
   NearestSurface& nearest = block.nearest[peak.slot];
   float& upper = block.upper[peak.slot];
-  const dvec3 point = field.sample_point(peak);
-  if (upper < useless) {
-    const auto [id, clearance] = surfaces.nearest(point);
-    nearest = NearestSurface(id);
-    upper = clearance;
-  } else if (!nearest.is_exact()) {
-    upper = surfaces.clearance(nearest.id(), point, upper);
-    nearest = NearestSurface(nearest.id());
+  if (upper >= useless && nearest.is_exact()) {
+    return field.scan_block(peak.block);
   }
+  const dvec3 point = field.sample_point(peak);
+  Nearest found;
+  const auto consider = [&](SurfaceId id) { surfaces.consider(id, point, found); };
+  if (upper < useless) {
+    consider(target_surface);
+    for (std::size_t i = 1; i <= surfaces.instances.size(); ++i) {
+      consider(static_cast<SurfaceId>(i));
+    }
+  } else if (nearest.id() == several_surfaces) {
+    found.clearance = upper;
+    field.for_each_neighbour(peak.block, consider);
+    consider(target_surface);
+  } else {
+    found.clearance = upper;
+    consider(nearest.id());
+  }
+  nearest = NearestSurface(found.id);
+  upper = found.clearance;
   return field.scan_block(peak.block);
 }
 

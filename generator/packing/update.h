@@ -31,32 +31,43 @@ struct Update {
     float upper;
     NearestSurface nearest;
   };
-  /// The largest upper bound of a block afterwards.
+  /// The largest upper bound of a block afterwards, and whether the instance may be the nearest
+  /// surface to some of its voxels.
   struct Maximum {
     std::size_t block;
     float upper;
+    bool is_near;
   };
+  SurfaceId id = target_surface;
   std::size_t voxels_flagged = 0;
   std::vector<Voxel> before;
   std::vector<Maximum> maxima;
+
+  /// Of one of many blocks, while threads share them.
+  struct Share {
+    std::size_t voxels_flagged = 0;
+    std::vector<Voxel> before;
+  };
+  std::vector<Share> shares;
 };
 
 /// Accounts for instance `id` (Muhm 2011, Fig. 12), which fills `hole`: voxels inside it are
 /// flagged, every other voxel to which it is now the nearest surface gets its distance. The
 /// distance is a pair of bounds from the element's grids; where these do not tell which surface is
-/// the nearer, they are asked exactly. A voxel with an upper bound below `useless`, too little ever
-/// to be a hole, keeps that bound and is looked at only where it may be inside; what else is stored
-/// there means nothing. The blocks' maxima are left to commit().
-/// Costs about 50 ns for each voxel nearer to the instance's sphere than its clearance.
+/// the nearer, that is left to make_exact(), should it ever matter. A voxel with an upper bound
+/// below `useless`, too little ever to be a hole, keeps that bound and is looked at only where it
+/// may be inside; what else is stored there means nothing. The blocks' maxima are left to commit().
+/// Costs about 30 ns for each voxel nearer to the instance's sphere than its clearance.
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
             float useless, Update& done);
 
-/// Makes the field's maxima those after the update.
+/// Makes the field's maxima and neighbours those after the update.
 void commit(ClearanceField& field, const Update& done);
 /// Makes the voxels what they were before.
 void undo(ClearanceField& field, const Update& done);
 
-/// Finds the exact clearance of a voxel, from its nearest surface, or where it is useless from all.
+/// Finds the exact clearance of a voxel, from its nearest surface, or where that is not known from
+/// its block's neighbours, or where it is useless from all.
 /// Returns the block's largest upper bound afterwards.
 float make_exact(ClearanceField& field, const Surfaces& surfaces, const ClearanceField::Peak& peak,
                  float useless);

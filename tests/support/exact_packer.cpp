@@ -43,8 +43,7 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
         const std::size_t slot = VoxelGrid::slot(local);
         float& clearance = block.upper[slot];
         const dvec3 point = grid.sample_point(block.first_voxel + local);
-        if (clearance < 0.0F ||
-            glm::distance(point, placed.center()) - placed.radius() >= clearance) {
+        if (clearance < 0.0F || placed.distance_to_sphere(point) >= clearance) {
           continue;
         }
         const dvec3 unit = placed.unit_from_world(point);
@@ -69,7 +68,7 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
 std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
                          const Hole& hole) {
   const VoxelGrid& grid = field.grid();
-  const PlacedElement placed = surfaces.placed(surfaces.instances[id - 1]);
+  const PlacedElement placed = surfaces.placed(id);
   const auto [from, to] = voxels_within(grid, placed.center(), placed.radius() + hole.clearance);
   const glm::ivec3 first = from / VoxelGrid::block_side;
   const glm::ivec3 span = (to + (VoxelGrid::block_side - 1)) / VoxelGrid::block_side - first;

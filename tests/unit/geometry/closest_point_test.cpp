@@ -51,6 +51,37 @@ TEST(ClosestPointIndex, NeverFarFromBruteForceAndNeverNearer) {
   }
 }
 
+/// Wherever the search begins, and also among slivers, triangles without area and large flat faces.
+TEST(ClosestPointIndex, HintsChangeNothing) {
+  Mesh slivers = test::box_mesh(dvec3(-0.5), dvec3(0.5));
+  Rng rng(9, 0);
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 corner = test::random_point(rng, 0.5);
+    const dvec3 along = test::random_point(rng, 0.3);
+    const dvec3 aside = i % 4 == 0 ? dvec3(0.0) : test::random_point(rng, 1e-8);
+    const auto first = static_cast<std::uint32_t>(slivers.positions.size());
+    slivers.positions.insert(slivers.positions.end(),
+                             {corner, corner + along, corner + 0.5 * along + aside});
+    slivers.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  for (const Mesh& mesh : {test::blob_mesh(0.7, 0.3, 20), slivers}) {
+    const ClosestPointIndex index(mesh);
+    for (int i = 0; i < 1000; ++i) {
+      const dvec3 query = test::random_point(rng, i % 2 == 0 ? 0.8 : 5.0);
+      const auto plain = index.find(query, unbounded);
+      ASSERT_LE(plain->distance, brute_force_distance(mesh, query) * (1.0 + 1e-12));
+      for (int k = 0; k < 4; ++k) {
+        const auto hint = static_cast<std::uint32_t>(rng.below(mesh.triangles.size()));
+        const auto hinted = index.find(query, k == 0 ? plain->distance * 1.0001 : unbounded, hint);
+        ASSERT_TRUE(hinted);
+        ASSERT_EQ(hinted->distance, plain->distance);
+        ASSERT_EQ(hinted->triangle, plain->triangle);
+      }
+      ASSERT_FALSE(index.find(query, plain->distance, plain->triangle));
+    }
+  }
+}
+
 /// Which one the hierarchy comes to first depends on the processor's vector instructions.
 TEST(ClosestPointIndex, OfThoseAsNearTakesTheFirst) {
   Mesh cube = test::box_mesh(dvec3(-0.5), dvec3(0.5));

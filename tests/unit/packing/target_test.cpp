@@ -24,6 +24,30 @@ TEST(MeshTarget, ClearanceIsTheDistanceToTheSurfaceInsideAndNegativeOutside) {
   EXPECT_EQ(target.direction_to_surface({0.2, 0, 0}), dvec3(1, 0, 0));
 }
 
+/// One by one and without a hint is the slow twin.
+TEST(MeshTarget, ClearancesOfManyPointsAreThoseOfEach) {
+  const MeshTarget target(test::torus_mesh(1.0, 0.4, 24, 12));
+  Rng rng(4, 4);
+  std::vector<dvec3> points;
+  for (int i = 0; i < 2000; ++i) {  // some near the one before, some far
+    points.push_back(i % 4 == 0 ? test::random_point(rng, 1.4)
+                                : points.back() + test::random_point(rng, 0.03));
+  }
+  std::vector<double> clearances(points.size());
+  target.clearances(points, clearances);
+  int inside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double clearance = target.clearance(points[i]);
+    ASSERT_EQ(clearances[i], clearance);
+    if (clearance > 0.0) {
+      ++inside;
+      ASSERT_EQ(target.clearance_below(points[i], clearance * 1.0001), clearance);
+      ASSERT_GE(target.clearance_below(points[i], clearance * 0.99), clearance);
+    }
+  }
+  EXPECT_GT(inside, 100);
+}
+
 TEST(GridTarget, GivesTheFilesDistancesAndTheirSlope) {
   DistanceGrid grid;
   grid.size = {12, 12, 12};
