@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "fitting/pack_by_shape.h"
+#include "fitting/shape_cache.h"
 
 namespace collage {
 namespace {
@@ -32,6 +33,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   if (const auto* target = dynamic_cast<const MeshTarget*>(&input.target)) {
     surface = std::make_unique<CollisionShape>(input.target_mesh, target->solid());
   }
+  const std::filesystem::path cache = cache_folder();
   std::vector<std::size_t> shape_of;
   for (std::size_t e = 0; e < input.meshes.size(); ++e) {
     std::size_t first = 0;
@@ -50,7 +52,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
     const Element& element = input.ingredients[e].element;
     shape_of.push_back(shapes.size());
     shapes.push_back(std::make_unique<ShapedElement>(*input.meshes[e], element,
-                                                     measure_shape(*input.meshes[e], element)));
+                                                     cached_shape(*input.meshes[e], element, cache)));
   }
   for (std::size_t e = 0; e < input.ingredients.size(); ++e) {
     const Ingredient& ingredient = input.ingredients[e];
