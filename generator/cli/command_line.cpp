@@ -372,7 +372,8 @@ void CommandLine::add_model() {
       ->needs(text)
       ->check(range("target.text.bevel"))
       ->capture_default_str();
-  command->add_option("-o,--output", model_.output, "By default the name, letters or covering, with .obj");
+  command->add_option("-o,--output", model_.output,
+                      "By default the name, letters or covering, with .obj");
   command->callback([this] { run_ = [this](Terminal& t) { return run_model(model_, t); }; });
 }
 

@@ -36,13 +36,19 @@ class ShapePacker {
  private:
   using Id = HoleQueue::Id;
 
+  /// A point's place in the target's width, 0 at its left.
+  [[nodiscard]] double across(const dvec3& point) const {
+    return width_ > 0.0 ? (point.x - left_) / width_ : 0.5;
+  }
+  [[nodiscard]] std::vector<std::uint32_t> kinds_at(const dvec3& point) const;
   void add_holes(const std::vector<FreeSpace::Peak>& peaks);
   void add_vacancy(std::uint32_t kind, const FreeSpace::Peak& peak);
   [[nodiscard]] double apart(double clearance) const;
   [[nodiscard]] double least_radius(const Kind& kind, const dvec3& at) const;
 
   [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
-  [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind, double radius) const;
+  [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind,
+                                                          const Pose& pose) const;
   bool is_ready(Vacancy& vacancy) { return fitter_.is_ready(vacancy, kinds_[vacancy.shape]); }
   void open_batch(std::uint32_t kind);
   void open(Vacancy& vacancy, std::uint64_t stream);
@@ -50,12 +56,15 @@ class ShapePacker {
   void add_linked_vacancies(std::uint32_t host);
   [[nodiscard]] double link_key(std::uint32_t host, const Kind& kind) const;
   bool keep_looking(Vacancy& vacancy) const;
+  void work_off(Status& status);
   void report(double key, Status& status);
 
   FreeSpace& space_;
   std::span<const ShapeIngredient> ingredients_;
   const PackingOptions& options_;
   double longest_side_;
+  double left_;
+  double width_;
   double spacing_;
   double greatest_depth_;
   PlacedShapes placed_;
@@ -66,6 +75,8 @@ class ShapePacker {
   HoleQueue queue_{0};
   std::uint64_t openings_ = 0;
   double first_key_ = 0.0;
+  /// Of all that is placed, in cubes of radii.
+  double volume_ = 0.0;
   double update_seconds_ = 0.0;
 };
 
@@ -84,6 +95,8 @@ ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
       ingredients_(ingredients),
       options_(options),
       longest_side_(target.target.box().longest_side()),
+      left_(target.target.box().min.x),
+      width_(target.target.box().extent().x),
       spacing_(options.spacing * longest_side_),
       greatest_depth_(space.largest_distance()),
       placed_(target, space, spacing_),
@@ -136,13 +149,27 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   queue_.add(vacancy);
 }
 
+/// The kinds of which some element may stand at a point.
+std::vector<std::uint32_t> ShapePacker::kinds_at(const dvec3& point) const {
+  std::vector<std::uint32_t> possible;
+  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+    if (std::ranges::any_of(kinds_[k].elements, [&](std::uint32_t e) {
+          return ingredients_[e].may_stand(across(point));
+        })) {
+      possible.push_back(k);
+    }
+  }
+  return possible;
+}
+
 void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
   for (const FreeSpace::Peak& peak : peaks) {
-    const std::size_t tried = std::min(shapes_a_hole, kinds_.size());
+    const std::vector<std::uint32_t> possible = kinds_at(peak.position);
+    const std::size_t tried = std::min(shapes_a_hole, possible.size());
     Rng rng(options_.seed, choice_stream ^ mix_bits(openings_++));
-    const std::size_t first = kinds_.size() > tried ? rng.below(kinds_.size()) : 0;
+    const std::size_t first = possible.size() > tried ? rng.below(possible.size()) : 0;
     for (std::size_t i = 0; i < tried; ++i) {
-      add_vacancy(static_cast<std::uint32_t>((first + i) % kinds_.size()), peak);
+      add_vacancy(possible[(first + i) % possible.size()], peak);
     }
   }
 }
@@ -240,21 +267,26 @@ void ShapePacker::add_linked_vacancies(std::uint32_t host) {
   }
 }
 
-/// Which of the kind's elements: one that may have this radius, by quota, or by lot.
-std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double radius) const {
+/// Which of the kind's elements: one that may have this radius and stand there, by quota, or by
+/// lot.
+std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, const Pose& pose) const {
   std::vector<char> available(ingredients_.size(), 0);
   std::vector<std::uint32_t> possible;
   for (const std::uint32_t e : kinds_[k].elements) {
     const double size = ingredients_[e].shape.element().size();
-    const bool listed = std::ranges::any_of(ingredients_[e].scales,
-                                            [&](double scale) { return scale * size == radius; });
-    if (options_.scaling == Scaling::to_hole || listed) {
+    const bool listed = std::ranges::any_of(
+        ingredients_[e].scales, [&](double scale) { return scale * size == pose.radius; });
+    if ((options_.scaling == Scaling::to_hole || listed) &&
+        ingredients_[e].may_stand(across(pose.center))) {
       available[e] = 1;
       possible.push_back(e);
     }
   }
   if (options_.choose != Choose::largest) {
     return quota_.farthest_behind(available);
+  }
+  if (possible.empty()) {
+    return std::nullopt;
   }
   Rng rng(options_.seed, placement_stream + placed_.size());
   return possible[rng.below(possible.size())];
@@ -280,7 +312,7 @@ void ShapePacker::fill(Id id) {
     }
     return;
   }
-  const auto element = next_element(vacancy.shape, pose->radius);
+  const auto element = next_element(vacancy.shape, *pose);
   if (!element) {
     return;
   }
@@ -292,6 +324,7 @@ void ShapePacker::fill(Id id) {
   const auto index = static_cast<std::uint32_t>(placed_.size());
   placed_.add(*kind.shape, *pose, pose->instance(*element, made, scale));
   quota_.count(*element);
+  volume_ += std::pow(pose->radius * kind.key_per_radius, 3.0);
   const auto host = vacancy.host;
   if (!host) {
     kind.holes.remove(vacancy.listed_at);
@@ -326,30 +359,35 @@ void ShapePacker::report(double key, Status& status) {
                 fmt::format("{} instances", grouped(placed_.size())));
 }
 
+/// Fills places until none is left.
+void ShapePacker::work_off(Status& status) {
+  while (const auto kind = next_kind()) {
+    const Id id = *queue_.top(*kind);
+    first_key_ = std::max(first_key_, queue_[id].key);
+    report(queue_[id].key, status);
+    if (is_ready(queue_[id])) {
+      fill(id);
+    } else {
+      open_batch(*kind);
+    }
+  }
+}
+
+/// A hole in which nothing was found is worth another look: what starts there is luck.
 Packing ShapePacker::run(Status& status) {
+  constexpr int most_sweeps = 2;
+  constexpr double worth_a_sweep = 0.002;
   const Stopwatch total;
-  const char* R = getenv("ROUNDS");
-  for (int round = 0; round < (R ? atoi(R) : 1); ++round) {
-    const std::size_t before = placed_.size();
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     for (Kind& kind : kinds_) {
       kind.holes.clear();
     }
     add_holes(space_.peaks(0.0F));
-    while (const auto kind = next_kind()) {
-      const Id id = *queue_.top(*kind);
-      first_key_ = std::max(first_key_, queue_[id].key);
-      report(queue_[id].key, status);
-      if (is_ready(queue_[id])) {
-        fill(id);
-      } else {
-        open_batch(*kind);
-      }
+    const double before = volume_;
+    work_off(status);
+    if (volume_ - before < worth_a_sweep * volume_) {
+      break;
     }
-    double volume = 0.0;
-    for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-      volume += placed_.shape(i).unit_volume() * std::pow(placed_.pose(i).radius, 3.0);
-    }
-    fmt::print(stderr, "round {} from {} to {} volume {} openings {} largest {} cpu {}\n", round, before, placed_.size(), volume, openings_, space_.largest_distance()/longest_side_, double(clock())/CLOCKS_PER_SEC);
   }
   Packing packing;
   packing.instances = placed_.instances();

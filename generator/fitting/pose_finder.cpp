@@ -100,7 +100,8 @@ std::span<const Pose> PoseFinder::find(const Request& request, Rng& rng) {
   return refine(request, rng);
 }
 
-std::span<const Pose> PoseFinder::find_linked(const Request& request, const Opening& opening, Rng& rng) {
+std::span<const Pose> PoseFinder::find_linked(const Request& request, const Opening& opening,
+                                              Rng& rng) {
   constexpr int starts = 16;
   const Loop& ring = *request.shape.ring();
   poses_.clear();

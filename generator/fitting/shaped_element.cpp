@@ -75,6 +75,7 @@ ShapedElement::ShapedElement(const Mesh& mesh, const Element& element, ShapeData
     : element_(&element),
       collision_(mesh, element.solid()),
       data_(std::move(data)),
+      minima_(data_.distances),
       coarse_(data_.coarse, trusted),
       fine_(data_.fine, trusted),
       cautious_(data_.fine, 0.0),

@@ -53,6 +53,7 @@ class ShapedElement {
   /// The finer cover, with all of its bulge.
   [[nodiscard]] const SphereCover& cover() const { return data_.fine; }
   [[nodiscard]] const DistanceField& distances() const { return data_.distances; }
+  [[nodiscard]] const DistanceMinima& distance_minima() const { return minima_; }
   /// Of the unit frame's solid.
   [[nodiscard]] double unit_volume() const { return unit_volume_; }
   /// The deepest point inside, and its depth.
@@ -68,6 +69,7 @@ class ShapedElement {
   const Element* element_;
   CollisionShape collision_;
   ShapeData data_;
+  DistanceMinima minima_;
   SphereSet coarse_;
   SphereSet fine_;
   SphereSet cautious_;

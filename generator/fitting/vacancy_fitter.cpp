@@ -20,23 +20,26 @@ double effort(double size_over_least) {
 
 VacancyFitter::VacancyFitter(const FreeSpace& space, const PlacedShapes& placed,
                              const PackingOptions& options, double spacing)
-    : space_(space),
-      placed_(placed),
-      options_(options),
-      spacing_(spacing),
-      tools_([this] { return Tools(space_, spacing_); }) {}
+    : space_(space), placed_(placed), options_(options), spacing_(spacing), tools_([this] {
+        return Tools(space_, spacing_);
+      }) {}
 
 bool VacancyFitter::blocks(const Kind& kind, const Pose& pose) const {
   return placed_.blocks(*kind.shape, pose, options_.linking, tools_.local().ids);
 }
 
 Pose VacancyFitter::polished(const Kind& kind, const SphereSet& spheres, const Pose& pose,
-                             Rng& rng) const {
+                             double least, Rng& rng) const {
+  constexpr double hopeful = 0.93;
   Tools& tools = tools_.local();
   placed_.find_surroundings(pose, 0, tools.ids, tools.surroundings);
   tools.finder.optimizer().look_at(&tools.surroundings);
-  const Pose better = tools.finder.optimizer().maximize(
-      spheres, pose, {.steps = 6, .first_step = 0.06, .largest_radius = kind.largest_radius}, rng);
+  const Pose better = tools.finder.optimizer().maximize(spheres, pose,
+                                                        {.steps = 6,
+                                                         .first_step = 0.06,
+                                                         .largest_radius = kind.largest_radius,
+                                                         .least_radius = hopeful * least},
+                                                        rng);
   tools.finder.optimizer().look_at(nullptr);
   return better;
 }
@@ -50,8 +53,9 @@ Pose VacancyFitter::best_of(std::span<const Pose> candidates, const Vacancy& vac
       break;
     }
     for (const SphereSet* spheres : {&kind.shape->fine(), &kind.shape->cautious()}) {
-      const Pose pose = polished(kind, *spheres, candidate, rng);
-      const auto fitting = shrunk(kind, pose, std::max(least, best.radius));
+      const double enough = std::max(least, best.radius);
+      const Pose pose = polished(kind, *spheres, candidate, enough, rng);
+      const auto fitting = shrunk(kind, pose, enough);
       if (fitting && (!vacancy.host || placed_.linked(*kind.shape, *fitting, *vacancy.host))) {
         best = *fitting;
         break;
@@ -120,8 +124,7 @@ std::optional<Pose> VacancyFitter::shrunk(const Kind& kind, const Pose& pose, do
   return std::nullopt;
 }
 
-std::optional<Pose> VacancyFitter::settled(const Kind& kind, const Pose& pose,
-                                           double least) const {
+std::optional<Pose> VacancyFitter::settled(const Kind& kind, const Pose& pose, double least) const {
   std::optional<Pose> best = shrunk(kind, pose, least);
   if (!best || best->radius < pose.radius) {
     return best;

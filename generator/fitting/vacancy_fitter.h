@@ -26,8 +26,7 @@ class VacancyFitter {
   /// True where the vacancy's pose is known and, by the spheres, still fits.
   bool is_ready(Vacancy& vacancy, const Kind& kind) const;
   /// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
-  [[nodiscard]] std::optional<Pose> settled(const Kind& kind, const Pose& pose,
-                                            double least) const;
+  [[nodiscard]] std::optional<Pose> settled(const Kind& kind, const Pose& pose, double least) const;
   /// With the largest radius listed, pushed against the surroundings.
   [[nodiscard]] std::optional<Pose> settled_at_fixed(const Kind& kind, const Pose& pose) const;
 
@@ -43,9 +42,9 @@ class VacancyFitter {
 
   [[nodiscard]] bool blocks(const Kind& kind, const Pose& pose) const;
   [[nodiscard]] std::optional<Pose> shrunk(const Kind& kind, const Pose& pose, double least) const;
-  /// Made as large as the surroundings allow.
+  /// Made as large as the surroundings allow; given up where that is hardly going to be `least`.
   [[nodiscard]] Pose polished(const Kind& kind, const SphereSet& spheres, const Pose& pose,
-                              Rng& rng) const;
+                              double least, Rng& rng) const;
   [[nodiscard]] Pose best_of(std::span<const Pose> candidates, const Vacancy& vacancy,
                              const Kind& kind, double least, Rng& rng) const;
 

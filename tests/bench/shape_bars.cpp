@@ -135,9 +135,8 @@ std::vector<Bar> rings() {
 }
 
 Scene carrots_and_hats() {
-  return scene_of(
-      others_mesh("targets/bunny.obj"),
-      {others_mesh("elements/misc/food1_Carrot.obj"), others_mesh("elements/misc/top_hat.obj")});
+  return scene_of(others_mesh("targets/bunny.obj"), {others_mesh("elements/misc/food1_Carrot.obj"),
+                                                     others_mesh("elements/misc/top_hat.obj")});
 }
 
 std::vector<Bar> alternating() {
@@ -148,7 +147,8 @@ std::vector<Bar> alternating() {
   const Filling by_shape(scene, Fit::shape);
   const double carrots =
       static_cast<double>(by_shape.count_of(0)) / static_cast<double>(by_shape.count());
-  return {fill_bar(name, by_shape, by_spheres.percent(), 50.0), time_bar(name, by_shape, 60.0),
+  return {fill_bar(name, by_shape, by_spheres.percent(), 50.0),
+          time_bar(name, by_shape, 60.0),
           {name + ": half are carrots", std::abs(carrots - 0.5), "of all", 0.5,
            std::abs(carrots - 0.5) / 0.5, Bar::Side::at_most, 0.1}};
 }
@@ -169,12 +169,16 @@ std::vector<Bar> any_mix() {
 }
 
 std::vector<Bar> furniture() {
-  constexpr std::array names{
-      "blendswap-cc-0/basketball/basketball.obj", "blendswap-cc-0/cupcake/cupcake.obj",
-      "blendswap-cc-0/plasticCup/plasticCup.obj", "blendswap-cc-0/woodToy/woodToy.obj",
-      "blendswap-cc-by/gift/gift.obj",            "blendswap-cc-by/toyTrain/toyTrain.obj",
-      "katorlegaz/coffee-mug/coffee-mug.obj",     "katorlegaz/fire-hydrant/fire-hydrant.obj",
-      "scopia/teapot/teapot.obj",                 "scopia/basin/basin.obj"};
+  constexpr std::array names{"blendswap-cc-0/basketball/basketball.obj",
+                             "blendswap-cc-0/cupcake/cupcake.obj",
+                             "blendswap-cc-0/plasticCup/plasticCup.obj",
+                             "blendswap-cc-0/woodToy/woodToy.obj",
+                             "blendswap-cc-by/gift/gift.obj",
+                             "blendswap-cc-by/toyTrain/toyTrain.obj",
+                             "katorlegaz/coffee-mug/coffee-mug.obj",
+                             "katorlegaz/fire-hydrant/fire-hydrant.obj",
+                             "scopia/teapot/teapot.obj",
+                             "scopia/basin/basin.obj"};
   const fs::path folder = mesh_libraries().folder / "sweethome3d-furniture";
   std::vector<fs::path> elements;
   for (const char* name : names) {
