@@ -56,8 +56,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   }
   for (std::size_t e = 0; e < input.ingredients.size(); ++e) {
     const Ingredient& ingredient = input.ingredients[e];
-    ingredients.push_back({*shapes[shape_of[e]], ingredient.scales, ingredient.weight,
-                           ingredient.left, ingredient.right});
+    ingredients.push_back({*shapes[shape_of[e]], ingredient.scales, ingredient.weight});
   }
 }
 
@@ -73,12 +72,24 @@ void require_stretches(const Scene& scene) {
   }
 }
 
+/// A hole has one place from which it is filled, which may lie in no element's stretch.
+void refuse_stretches(const Scene& scene) {
+  if (std::ranges::any_of(scene.elements, [](const Scene::Element& element) {
+        return element.left > 0.0 || element.right < 1.0;
+      })) {
+    throw Error({scene.file},
+                "element.left and element.right do not go with packing.fit = \"shape\"",
+                "use packing.fit = \"sphere\"");
+  }
+}
+
 }  // namespace
 
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
   require_stretches(scene);
   if (scene.packing.fit == Fit::shape) {
+    refuse_stretches(scene);
     const auto workshop = std::make_shared<ShapeWorkshop>(scene, input, status);
     return [&scene, &target = input.target, workshop](Status& packing_status) {
       return pack_by_shape({target, workshop->surface.get()}, workshop->space,

@@ -16,12 +16,6 @@ struct ShapeIngredient {
   const ShapedElement& shape;
   std::vector<double> scales{1.0};
   double weight = 1.0;
-  /// The stretch of the target's width that its centre is kept in: 0 at its left, -x, 1 at its
-  /// right.
-  double left = 0.0;
-  double right = 1.0;
-
-  [[nodiscard]] bool may_stand(double across) const { return across >= left && across <= right; }
 };
 
 /// Guesses how large a pose a hole will turn out to have: what nine in ten have had, in units of

@@ -36,11 +36,6 @@ class ShapePacker {
  private:
   using Id = HoleQueue::Id;
 
-  /// A point's place in the target's width, 0 at its left.
-  [[nodiscard]] double across(const dvec3& point) const {
-    return width_ > 0.0 ? (point.x - left_) / width_ : 0.5;
-  }
-  [[nodiscard]] std::vector<std::uint32_t> kinds_at(const dvec3& point) const;
   void add_holes(const std::vector<FreeSpace::Peak>& peaks);
   void add_vacancy(std::uint32_t kind, const FreeSpace::Peak& peak);
   [[nodiscard]] double apart(double clearance) const;
@@ -63,8 +58,6 @@ class ShapePacker {
   std::span<const ShapeIngredient> ingredients_;
   const PackingOptions& options_;
   double longest_side_;
-  double left_;
-  double width_;
   double spacing_;
   double greatest_depth_;
   PlacedShapes placed_;
@@ -95,8 +88,6 @@ ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
       ingredients_(ingredients),
       options_(options),
       longest_side_(target.target.box().longest_side()),
-      left_(target.target.box().min.x),
-      width_(target.target.box().extent().x),
       spacing_(options.spacing * longest_side_),
       greatest_depth_(space.largest_distance()),
       placed_(target, space, spacing_),
@@ -149,27 +140,13 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   queue_.add(vacancy);
 }
 
-/// The kinds of which some element may stand at a point.
-std::vector<std::uint32_t> ShapePacker::kinds_at(const dvec3& point) const {
-  std::vector<std::uint32_t> possible;
-  for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
-    if (std::ranges::any_of(kinds_[k].elements, [&](std::uint32_t e) {
-          return ingredients_[e].may_stand(across(point));
-        })) {
-      possible.push_back(k);
-    }
-  }
-  return possible;
-}
-
 void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
   for (const FreeSpace::Peak& peak : peaks) {
-    const std::vector<std::uint32_t> possible = kinds_at(peak.position);
-    const std::size_t tried = std::min(shapes_a_hole, possible.size());
+    const std::size_t tried = std::min(shapes_a_hole, kinds_.size());
     Rng rng(options_.seed, choice_stream ^ mix_bits(openings_++));
-    const std::size_t first = possible.size() > tried ? rng.below(possible.size()) : 0;
+    const std::size_t first = kinds_.size() > tried ? rng.below(kinds_.size()) : 0;
     for (std::size_t i = 0; i < tried; ++i) {
-      add_vacancy(possible[(first + i) % possible.size()], peak);
+      add_vacancy(static_cast<std::uint32_t>((first + i) % kinds_.size()), peak);
     }
   }
 }
@@ -267,8 +244,7 @@ void ShapePacker::add_linked_vacancies(std::uint32_t host) {
   }
 }
 
-/// Which of the kind's elements: one that may have this radius and stand there, by quota, or by
-/// lot.
+/// Which of the kind's elements: one that may have this radius, by quota, or by lot.
 std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, const Pose& pose) const {
   std::vector<char> available(ingredients_.size(), 0);
   std::vector<std::uint32_t> possible;
@@ -276,8 +252,7 @@ std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, const Po
     const double size = ingredients_[e].shape.element().size();
     const bool listed = std::ranges::any_of(
         ingredients_[e].scales, [&](double scale) { return scale * size == pose.radius; });
-    if ((options_.scaling == Scaling::to_hole || listed) &&
-        ingredients_[e].may_stand(across(pose.center))) {
+    if (options_.scaling == Scaling::to_hole || listed) {
       available[e] = 1;
       possible.push_back(e);
     }

@@ -9,8 +9,10 @@
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
 #include "cli/pack_scene.h"
+#include "geometry/mesh_file.h"
 #include "scene/scene_file.h"
 #include "support/folder.h"
+#include "support/meshes.h"
 
 namespace collage::bench {
 namespace {
@@ -129,9 +131,11 @@ std::vector<Bar> chair() {
 }
 
 std::vector<Bar> rings() {
-  return fill_and_time("bunny of rings",
-                       scene_of(others_mesh("targets/bunny.obj"), {own_mesh("chain/ring.obj")}),
-                       58.0, 45.0);
+  const test::Folder folder;
+  const fs::path ring = folder.path() / "ring.obj";
+  write_obj(ring, test::torus_mesh(1.0, 0.2, 48, 16));
+  return fill_and_time("bunny of rings", scene_of(others_mesh("targets/bunny.obj"), {ring}), 58.0,
+                       45.0);
 }
 
 Scene carrots_and_hats() {

@@ -143,30 +143,6 @@ TEST(PackByShape, ResultsDoNotDependOnTheNumberOfThreads) {
   test::expect_same_instances(parallel.instances, run(setup).packing.instances);
 }
 
-TEST(PackByShape, ElementsKeepToTheirStretches) {
-  const Case setup;
-  const MeshTarget target(setup.target_mesh);
-  const CollisionShape surface(setup.target_mesh, target.solid());
-  Status status;
-  FreeSpace space(target, setup.resolution, status);
-  const Mesh& mesh = setup.meshes[0];
-  const Element element(mesh);
-  const ShapedElement shape(mesh, element, measure_shape(mesh, element));
-  const std::vector<ShapeIngredient> ingredients{{shape, {1.0}, 1.0, 0.0, 0.4},
-                                                 {shape, {1.0}, 1.0, 0.6, 1.0}};
-  const Packing packing =
-      pack_by_shape({target, &surface}, space, ingredients, setup.options, status);
-  std::array<int, 2> counts{};
-  for (const Instance& instance : packing.instances) {
-    const double x = instance.world_from_element(element.center()).x;
-    const double across = (x - target.box().min.x) / target.box().extent().x;
-    EXPECT_TRUE(instance.element == 0 ? across <= 0.4 : across >= 0.6) << across;
-    ++counts[instance.element];
-  }
-  EXPECT_GT(counts[0], 3);
-  EXPECT_GT(counts[1], 3);
-}
-
 TEST(PackByShape, TheSeedMatters) {
   Case setup;
   const Packing first = run(setup).packing;
