@@ -354,6 +354,12 @@ void CommandLine::add_model() {
       ->excludes(name)
       ->excludes(text);
   command
+      ->add_option("--covering", model_.covered,
+                   "An OBJ file: the spheres that stand for it when it is fitted by its shape")
+      ->excludes(name)
+      ->excludes(text)
+      ->excludes("--all");
+  command
       ->add_option("--font", model_.letters.font,
                    "Theirs: a family, as \"DejaVu Serif:bold\", or a .ttf or .otf file")
       ->needs(text)
@@ -366,7 +372,8 @@ void CommandLine::add_model() {
       ->needs(text)
       ->check(range("target.text.bevel"))
       ->capture_default_str();
-  command->add_option("-o,--output", model_.output, "By default the name, or letters, with .obj");
+  command->add_option("-o,--output", model_.output,
+                      "By default the name, letters or covering, with .obj");
   command->callback([this] { run_ = [this](Terminal& t) { return run_model(model_, t); }; });
 }
 

@@ -136,12 +136,14 @@ int run_export(const ExportArguments& arguments, Terminal& terminal);
 
 int run_check(const std::vector<std::filesystem::path>& meshes, Terminal& terminal);
 
-/// A starter model by its name, all of them, or letters; none of these: a list of the names.
+/// A starter model by its name, all of them, letters, or the spheres that cover a mesh when it is
+/// fitted by its shape; none of these: a list of the names.
 struct ModelArguments {
   std::string name;
   bool all = false;
   LetterOptions letters;
-  /// Empty: the name, or "letters", with .obj. Of all models the folder.
+  std::filesystem::path covered;
+  /// Empty: the name, "letters" or "covering", with .obj. Of all models the folder.
   std::filesystem::path output;
 };
 int run_model(const ModelArguments& arguments, Terminal& terminal);

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
+#include "fitting/shape_cache.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
 #include "geometry/models.h"
@@ -62,6 +63,33 @@ std::string comparison_json(const Comparison& comparison) {
 void write_model(const StarterModel& model, const fs::path& path) {
   write_obj(path, model.make(),
             fmt::format("collage model {} -o {}", model.name, path.filename().string()));
+  fmt::print("{}\n", path.string());
+}
+
+/// As balls of the mesh's own size, in its place.
+Mesh covering_of(const Mesh& mesh) {
+  constexpr int subdivisions = 2;
+  const Element element(mesh);
+  const SphereCover cover = cached_shape(mesh, element, cache_folder()).fine;
+  const Mesh ball = make_sphere(subdivisions);
+  Mesh balls;
+  for (const Sphere& sphere : cover.spheres) {
+    const auto first = static_cast<std::uint32_t>(balls.positions.size());
+    for (const dvec3& position : ball.positions) {
+      balls.positions.push_back(
+          element.solid().mesh_from_unit(sphere.center + sphere.radius * position));
+    }
+    for (const uvec3& triangle : ball.triangles) {
+      balls.triangles.push_back(triangle + first);
+    }
+  }
+  return balls;
+}
+
+void write_covering(const fs::path& obj, const fs::path& path, Terminal& terminal) {
+  Mesh mesh = read_obj(obj, terminal).mesh;
+  orient(mesh);
+  write_obj(path, covering_of(mesh), "");
   fmt::print("{}\n", path.string());
 }
 
@@ -167,6 +195,8 @@ int run_model(const ModelArguments& arguments, Terminal& terminal) {
     const fs::path path = output.empty() ? fs::path("letters.obj") : output;
     write_obj(path, make_letters(arguments.letters, terminal), "");
     fmt::print("{}\n", path.string());
+  } else if (!arguments.covered.empty()) {
+    write_covering(arguments.covered, output.empty() ? fs::path("covering.obj") : output, terminal);
   } else if (arguments.name.empty()) {
     for (const StarterModel& model : starter_models()) {
       fmt::print("{:15} {}\n", model.name, model.description);

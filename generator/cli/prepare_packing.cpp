@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "fitting/pack_by_shape.h"
+#include "fitting/shape_cache.h"
 
 namespace collage {
 namespace {
@@ -32,6 +33,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   if (const auto* target = dynamic_cast<const MeshTarget*>(&input.target)) {
     surface = std::make_unique<CollisionShape>(input.target_mesh, target->solid());
   }
+  const std::filesystem::path cache = cache_folder();
   std::vector<std::size_t> shape_of;
   for (std::size_t e = 0; e < input.meshes.size(); ++e) {
     std::size_t first = 0;
@@ -49,8 +51,8 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
                   scene.elements[e].name());
     const Element& element = input.ingredients[e].element;
     shape_of.push_back(shapes.size());
-    shapes.push_back(std::make_unique<ShapedElement>(*input.meshes[e], element,
-                                                     measure_shape(*input.meshes[e], element)));
+    shapes.push_back(std::make_unique<ShapedElement>(
+        *input.meshes[e], element, cached_shape(*input.meshes[e], element, cache)));
   }
   for (std::size_t e = 0; e < input.ingredients.size(); ++e) {
     const Ingredient& ingredient = input.ingredients[e];
@@ -70,7 +72,7 @@ void require_stretches(const Scene& scene) {
   }
 }
 
-/// Covering spheres find their own place in a hole.
+/// A hole has one place from which it is filled, which may lie in no element's stretch.
 void refuse_stretches(const Scene& scene) {
   if (std::ranges::any_of(scene.elements, [](const Scene::Element& element) {
         return element.left > 0.0 || element.right < 1.0;

@@ -65,6 +65,30 @@ void DistanceField::close_gaps() {
   }
 }
 
+DistanceMinima::DistanceMinima(const DistanceField& field)
+    : blocks_((field.size() - 1 + (cells - 1)) / cells) {
+  glm::ivec3 block;
+  for (block.z = 0; block.z < blocks_.z; ++block.z) {
+    for (block.y = 0; block.y < blocks_.y; ++block.y) {
+      for (block.x = 0; block.x < blocks_.x; ++block.x) {
+        const glm::ivec3 from = block * cells;
+        const glm::ivec3 to = glm::min(from + cells, field.size() - 1);
+        float least = field.at(from);
+        glm::ivec3 p;
+        for (p.z = from.z; p.z <= to.z; ++p.z) {
+          for (p.y = from.y; p.y <= to.y; ++p.y) {
+            for (p.x = from.x; p.x <= to.x; ++p.x) {
+              least = std::min(least, field.at(p));
+            }
+          }
+        }
+        // Interpolation may round to less than its corners by a part in 10⁶ or so.
+        values_.push_back(least - 1e-5F * std::abs(least));
+      }
+    }
+  }
+}
+
 DistanceField sample_unit_distances(const Solid& solid, int points_per_side, double margin) {
   const double half = 1.0 + margin;
   DistanceField field(dvec3(-half), 2.0 * half / (points_per_side - 1),

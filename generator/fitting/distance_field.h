@@ -27,9 +27,10 @@ class DistanceField {
   [[nodiscard]] const glm::ivec3& size() const { return size_; }
   [[nodiscard]] dvec3 point(const glm::ivec3& p) const { return first_ + spacing_ * dvec3(p); }
   [[nodiscard]] dvec3 steps(const dvec3& point) const { return (point - first_) / spacing_; }
-  [[nodiscard]] bool holds(const dvec3& steps) const {
-    return glm::all(glm::greaterThanEqual(steps, dvec3(0.0))) &&
-           glm::all(glm::lessThan(steps, dvec3(size_ - 1)));
+  [[nodiscard]] bool holds(const glm::vec3& steps) const {
+    const glm::vec3 last(size_ - 1);
+    return steps.x >= 0.0F && steps.y >= 0.0F && steps.z >= 0.0F && steps.x < last.x &&
+           steps.y < last.y && steps.z < last.z;
   }
 
   [[nodiscard]] std::size_t index(const glm::ivec3& p) const {
@@ -78,6 +79,27 @@ class DistanceField {
   glm::ivec3 size_{0};
   std::size_t row_ = 0;
   std::size_t layer_ = 0;
+  std::vector<float> values_;
+};
+
+/// Lower bounds of a field, one number for many cells, so that most looks at the field itself can
+/// be spared.
+class DistanceMinima {
+ public:
+  DistanceMinima() = default;
+  explicit DistanceMinima(const DistanceField& field);
+
+  /// No more than the field's value at a place that it holds.
+  [[nodiscard]] float below(const glm::vec3& steps) const {
+    const glm::ivec3 block = glm::ivec3(steps) / cells;
+    return values_[static_cast<std::size_t>((block.z * blocks_.y + block.y) * blocks_.x + block.x)];
+  }
+
+ private:
+  /// On a block's side.
+  static constexpr int cells = 4;
+
+  glm::ivec3 blocks_{0};
   std::vector<float> values_;
 };
 

@@ -14,6 +14,8 @@ namespace collage {
 /// An element's place in a hole.
 struct Vacancy {
   dvec3 hole{0.0};
+  /// Where the hole map has it: the hole itself moves as the space round it is filled.
+  dvec3 listed_at{0.0};
   double clearance = 0.0;
   std::uint32_t shape = 0;
   /// What the queue is ordered by: the size of the pose or, before one was looked for, a guess.
@@ -58,6 +60,7 @@ class HoleMap {
 
   /// False where a hole is there already, nearer than `apart`.
   bool insert(const dvec3& hole, double apart);
+  void clear() { cells_.clear(); }
   /// Forgets the hole exactly there.
   void remove(const dvec3& hole);
 

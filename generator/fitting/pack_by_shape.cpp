@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "base/error.h"
@@ -14,6 +13,7 @@
 #include "fitting/kinds.h"
 #include "fitting/placed_shapes.h"
 #include "fitting/quota.h"
+#include "fitting/vacancy_fitter.h"
 
 namespace collage {
 namespace {
@@ -24,17 +24,7 @@ constexpr std::size_t batch = 8;
 constexpr std::size_t shapes_a_hole = 4;
 /// Where links are sought, one of this many times less size is as good.
 constexpr double link_preference = 2.0;
-constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
 constexpr std::uint64_t choice_stream = 0x63686f696365ULL;
-
-/// What a thread works with.
-struct Tools {
-  Tools(const FreeSpace& space, double margin) : finder(space, margin) {}
-
-  PoseFinder finder;
-  Surroundings surroundings;
-  std::vector<std::uint32_t> ids;
-};
 
 class ShapePacker {
  public:
@@ -52,19 +42,16 @@ class ShapePacker {
   [[nodiscard]] double least_radius(const Kind& kind, const dvec3& at) const;
 
   [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
-  [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind, double radius) const;
-  [[nodiscard]] Pose polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
-                              Rng& rng) const;
-  /// True where the vacancy's pose is known and still fits.
-  bool is_ready(Vacancy& vacancy);
+  [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind,
+                                                          const Pose& pose) const;
+  bool is_ready(Vacancy& vacancy) { return fitter_.is_ready(vacancy, kinds_[vacancy.shape]); }
   void open_batch(std::uint32_t kind);
   void open(Vacancy& vacancy, std::uint64_t stream);
   void fill(Id id);
-  std::optional<Pose> settled(const Kind& kind, const Pose& pose, double least);
-  std::optional<Pose> settled_at_fixed(const Kind& kind, const Pose& pose);
   void add_linked_vacancies(std::uint32_t host);
   [[nodiscard]] double link_key(std::uint32_t host, const Kind& kind) const;
   bool keep_looking(Vacancy& vacancy) const;
+  void work_off(Status& status);
   void report(double key, Status& status);
 
   FreeSpace& space_;
@@ -74,13 +61,15 @@ class ShapePacker {
   double spacing_;
   double greatest_depth_;
   PlacedShapes placed_;
+  VacancyFitter fitter_;
   std::vector<Kind> kinds_;
   std::vector<std::uint32_t> kind_of_;
   Quota quota_;
   HoleQueue queue_{0};
-  tbb::enumerable_thread_specific<Tools> tools_;
   std::uint64_t openings_ = 0;
   double first_key_ = 0.0;
+  /// Of all that is placed, in cubes of radii.
+  double volume_ = 0.0;
   double update_seconds_ = 0.0;
 };
 
@@ -102,10 +91,10 @@ ShapePacker::ShapePacker(const ShapeTarget& target, FreeSpace& space,
       spacing_(options.spacing * longest_side_),
       greatest_depth_(space.largest_distance()),
       placed_(target, space, spacing_),
+      fitter_(space, placed_, options, spacing_),
       kinds_(kinds_of(ingredients, options, longest_side_)),
       kind_of_(ingredients.size()),
-      quota_(quota_weights(ingredients, options.choose)),
-      tools_([this] { return Tools(space_, spacing_); }) {
+      quota_(quota_weights(ingredients, options.choose)) {
   for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
     for (const std::uint32_t e : kinds_[k].elements) {
       kind_of_[e] = k;
@@ -143,6 +132,7 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   }
   Vacancy vacancy;
   vacancy.hole = peak.position;
+  vacancy.listed_at = peak.position;
   vacancy.clearance = clearance;
   vacancy.shape = k;
   vacancy.key =
@@ -183,69 +173,10 @@ std::optional<std::uint32_t> ShapePacker::next_kind() const {
   return best;
 }
 
-/// The pose made as large as the surroundings allow.
-Pose ShapePacker::polished(Tools& tools, const Kind& kind, const Pose& pose, double least,
-                           Rng& rng) const {
-  placed_.find_surroundings(pose, 0, tools.ids, tools.surroundings);
-  tools.finder.optimizer().look_at(&tools.surroundings);
-  const Pose better = tools.finder.optimizer().maximize(
-      kind.shape->fine(), pose,
-      {.steps = 6, .first_step = 0.06, .largest_radius = kind.largest_radius, .least_radius = 0.0},
-      rng);
-  tools.finder.optimizer().look_at(nullptr);
-  return better.radius >= least ? better : Pose{};
-}
-
-bool ShapePacker::is_ready(Vacancy& vacancy) {
-  constexpr double tolerance = 2e-3;
-  const auto now = static_cast<std::uint32_t>(placed_.size());
-  if (vacancy.has_pose && vacancy.fitted_at < now) {
-    Tools& tools = tools_.local();
-    placed_.find_surroundings(vacancy.pose, vacancy.fitted_at, tools.ids, tools.surroundings);
-    if (!tools.surroundings.empty()) {
-      PoseOptimizer& optimizer = tools.finder.optimizer();
-      optimizer.look_at(&tools.surroundings);
-      vacancy.has_pose =
-          optimizer.violation(kinds_[vacancy.shape].shape->fine(), vacancy.pose) <= tolerance;
-      optimizer.look_at(nullptr);
-    }
-    vacancy.fitted_at = now;
-  }
-  return vacancy.has_pose;
-}
-
 void ShapePacker::open(Vacancy& vacancy, std::uint64_t stream) {
   const Kind& kind = kinds_[vacancy.shape];
-  Rng rng(options_.seed, opening_stream ^ mix_bits(stream));
-  if (!vacancy.host) {
-    const FreeSpace::Peak peak = space_.climb(vacancy.hole);
-    vacancy.hole = peak.position;
-    vacancy.clearance = peak.distance - spacing_;
-  }
-  vacancy.openings += 1;
-  vacancy.has_pose = false;
-  const Pose previous = vacancy.pose;
-  vacancy.pose = Pose{};
-  if (vacancy.host || vacancy.clearance > 0.3 * space_.distances().spacing()) {
-    const double least = least_radius(kind, vacancy.hole);
-    Tools& tools = tools_.local();
-    const PoseFinder::Request request{.shape = *kind.shape,
-                                      .hole = vacancy.hole,
-                                      .least_radius = 0.9 * least,
-                                      .largest_radius = kind.largest_radius,
-                                      .previous = previous};
-    const Pose pose =
-        vacancy.host ? tools.finder.find_linked(request, placed_.opening_of(*vacancy.host), rng)
-                     : tools.finder.find(request, rng);
-    vacancy.pose = pose.radius > 0.0 ? polished(tools, kind, pose, least, rng) : Pose{};
-  }
-  double preference = 1.0;
-  if (vacancy.host && vacancy.pose.radius > 0.0) {
-    preference = link_preference;
-    vacancy.pose = placed_.linked(*kind.shape, vacancy.pose, *vacancy.host) ? vacancy.pose : Pose{};
-  }
-  vacancy.has_pose = vacancy.pose.radius > 0.0;
-  vacancy.fitted_at = static_cast<std::uint32_t>(placed_.size());
+  fitter_.open(vacancy, kind, least_radius(kind, vacancy.hole), stream);
+  const double preference = vacancy.host ? link_preference : 1.0;
   vacancy.key = preference * vacancy.pose.radius * kind.key_per_radius;
 }
 
@@ -289,54 +220,6 @@ void ShapePacker::open_batch(std::uint32_t k) {
   }
 }
 
-/// The pose grown or shrunk to where the exact test allows it; nothing where that is too small.
-std::optional<Pose> ShapePacker::settled(const Kind& kind, const Pose& pose, double least) {
-  constexpr std::array shrinking{0.99, 0.975, 0.95, 0.92};
-  constexpr std::array growing{1.01, 1.02, 1.04, 1.07, 1.11, 1.16};
-  const auto scaled = [&](double factor) {
-    Pose other = pose;
-    other.radius = std::min(kind.largest_radius, factor * pose.radius);
-    return other;
-  };
-  if (placed_.blocks(*kind.shape, pose, options_.linking)) {
-    for (const double factor : shrinking) {
-      const Pose smaller = scaled(factor);
-      if (smaller.radius >= least && !placed_.blocks(*kind.shape, smaller, options_.linking)) {
-        return smaller;
-      }
-    }
-    return std::nullopt;
-  }
-  Pose best = pose;
-  for (const double factor : growing) {
-    const Pose larger = scaled(factor);
-    if (larger.radius <= best.radius || placed_.blocks(*kind.shape, larger, options_.linking)) {
-      break;
-    }
-    best = larger;
-  }
-  return best;
-}
-
-/// The largest radius listed, pushed against the surroundings.
-std::optional<Pose> ShapePacker::settled_at_fixed(const Kind& kind, const Pose& pose) {
-  constexpr double rounding = 1.0 + 1e-9;
-  const auto radius = std::ranges::find_if(
-      kind.radii, [&](double listed) { return listed <= pose.radius * rounding; });
-  if (radius == kind.radii.end()) {
-    return std::nullopt;
-  }
-  Pose loose = pose;
-  loose.radius = *radius;
-  const Pose close = tools_.local().finder.optimizer().hug(kind.shape->fine(), loose);
-  for (const Pose& candidate : {close, loose}) {
-    if (!placed_.blocks(*kind.shape, candidate, options_.linking)) {
-      return candidate;
-    }
-  }
-  return std::nullopt;
-}
-
 /// As if a ring of the host's size would fit.
 double ShapePacker::link_key(std::uint32_t host, const Kind& kind) const {
   return link_preference * std::min(placed_.pose(host).radius, kind.largest_radius) *
@@ -362,13 +245,13 @@ void ShapePacker::add_linked_vacancies(std::uint32_t host) {
 }
 
 /// Which of the kind's elements: one that may have this radius, by quota, or by lot.
-std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double radius) const {
+std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, const Pose& pose) const {
   std::vector<char> available(ingredients_.size(), 0);
   std::vector<std::uint32_t> possible;
   for (const std::uint32_t e : kinds_[k].elements) {
     const double size = ingredients_[e].shape.element().size();
-    const bool listed = std::ranges::any_of(ingredients_[e].scales,
-                                            [&](double scale) { return scale * size == radius; });
+    const bool listed = std::ranges::any_of(
+        ingredients_[e].scales, [&](double scale) { return scale * size == pose.radius; });
     if (options_.scaling == Scaling::to_hole || listed) {
       available[e] = 1;
       possible.push_back(e);
@@ -376,6 +259,9 @@ std::optional<std::uint32_t> ShapePacker::next_element(std::uint32_t k, double r
   }
   if (options_.choose != Choose::largest) {
     return quota_.farthest_behind(available);
+  }
+  if (possible.empty()) {
+    return std::nullopt;
   }
   Rng rng(options_.seed, placement_stream + placed_.size());
   return possible[rng.below(possible.size())];
@@ -390,8 +276,8 @@ void ShapePacker::fill(Id id) {
   queue_.pop(vacancy.shape);
   const double least = least_radius(kind, vacancy.hole);
   const std::optional<Pose> pose = options_.scaling == Scaling::fixed
-                                       ? settled_at_fixed(kind, vacancy.pose)
-                                       : settled(kind, vacancy.pose, least);
+                                       ? fitter_.settled_at_fixed(kind, vacancy.pose)
+                                       : fitter_.settled(kind, vacancy.pose, least);
   vacancy.has_pose = false;
   if (!pose) {
     vacancy.pose = Pose{};
@@ -401,7 +287,7 @@ void ShapePacker::fill(Id id) {
     }
     return;
   }
-  const auto element = next_element(vacancy.shape, pose->radius);
+  const auto element = next_element(vacancy.shape, *pose);
   if (!element) {
     return;
   }
@@ -413,9 +299,10 @@ void ShapePacker::fill(Id id) {
   const auto index = static_cast<std::uint32_t>(placed_.size());
   placed_.add(*kind.shape, *pose, pose->instance(*element, made, scale));
   quota_.count(*element);
+  volume_ += std::pow(pose->radius * kind.key_per_radius, 3.0);
   const auto host = vacancy.host;
   if (!host) {
-    kind.holes.remove(vacancy.hole);
+    kind.holes.remove(vacancy.listed_at);
   }
   Stopwatch updating;
   space_.add(*kind.shape, *pose, index);
@@ -447,9 +334,8 @@ void ShapePacker::report(double key, Status& status) {
                 fmt::format("{} instances", grouped(placed_.size())));
 }
 
-Packing ShapePacker::run(Status& status) {
-  const Stopwatch total;
-  add_holes(space_.peaks(0.0F));
+/// Fills places until none is left.
+void ShapePacker::work_off(Status& status) {
   while (const auto kind = next_kind()) {
     const Id id = *queue_.top(*kind);
     first_key_ = std::max(first_key_, queue_[id].key);
@@ -458,6 +344,24 @@ Packing ShapePacker::run(Status& status) {
       fill(id);
     } else {
       open_batch(*kind);
+    }
+  }
+}
+
+/// A hole in which nothing was found is worth another look: what starts there is luck.
+Packing ShapePacker::run(Status& status) {
+  constexpr int most_sweeps = 2;
+  constexpr double worth_a_sweep = 0.002;
+  const Stopwatch total;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (Kind& kind : kinds_) {
+      kind.holes.clear();
+    }
+    add_holes(space_.peaks(0.0F));
+    const double before = volume_;
+    work_off(status);
+    if (volume_ - before < worth_a_sweep * volume_) {
+      break;
     }
   }
   Packing packing;

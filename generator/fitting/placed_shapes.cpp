@@ -8,15 +8,12 @@ void PlacedShapes::add(const ShapedElement& shape, const Pose& pose, const Insta
   instances_.push_back(instance);
   shapes_.push_back(&shape);
   poses_.push_back(pose);
-  looked_at_.push_back(0);
 }
 
-void PlacedShapes::find_surroundings(const Pose& pose, std::uint32_t first,
-                                     std::vector<std::uint32_t>& ids,
-                                     Surroundings& surroundings) const {
-  constexpr double reach = 1.3;
+void PlacedShapes::find_near(const dvec3& center, double reach, std::uint32_t first,
+                             std::vector<std::uint32_t>& ids) const {
   ids.clear();
-  space_.visit_near(pose.center, reach * pose.radius + spacing_, [&](std::uint32_t other) {
+  space_.visit_near(center, reach, [&](std::uint32_t other) {
     if (other >= first) {
       ids.push_back(other);
     }
@@ -24,6 +21,13 @@ void PlacedShapes::find_surroundings(const Pose& pose, std::uint32_t first,
   std::ranges::sort(ids);
   const auto repeated = std::ranges::unique(ids);
   ids.erase(repeated.begin(), repeated.end());
+}
+
+void PlacedShapes::find_surroundings(const Pose& pose, std::uint32_t first,
+                                     std::vector<std::uint32_t>& ids,
+                                     Surroundings& surroundings) const {
+  constexpr double reach = 1.3;
+  find_near(pose.center, reach * pose.radius + spacing_, first, ids);
   surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
   for (const std::uint32_t other : ids) {
     const double together = poses_[other].radius + reach * pose.radius + spacing_;
@@ -47,26 +51,22 @@ bool PlacedShapes::leaves_target(const ShapedElement& shape, const Instance& ins
   });
 }
 
-bool PlacedShapes::blocks(const ShapedElement& shape, const Pose& pose, Linking linking) {
+bool PlacedShapes::blocks(const ShapedElement& shape, const Pose& pose, Linking linking,
+                          std::vector<std::uint32_t>& ids) const {
   const Instance instance = pose.instance(0, shape.element());
   const CollisionShape& own = shape.collision();
-  ++tests_;
-  bool meets = false;
-  space_.visit_near(pose.center, pose.radius + spacing_, [&](std::uint32_t other) {
-    if (meets || looked_at_[other] == tests_) {
-      return;
-    }
-    looked_at_[other] = tests_;
+  find_near(pose.center, pose.radius + spacing_, 0, ids);
+  const bool meets = std::ranges::any_of(ids, [&](std::uint32_t other) {
     const Pose& there = poses_[other];
     if (glm::distance(there.center, pose.center) > there.radius + pose.radius + spacing_) {
-      return;
+      return false;
     }
     const Instance& neighbour = instances_[other];
     const CollisionShape& its = shapes_[other]->collision();
-    meets = surfaces_come_within(spacing_, its, neighbour, own, instance) ||
-            has_part_inside(its, neighbour, own, instance) ||
-            has_part_inside(own, instance, its, neighbour) ||
-            (linking == Linking::avoid && linked(shape, pose, other));
+    return surfaces_come_within(spacing_, its, neighbour, own, instance) ||
+           has_part_inside(its, neighbour, own, instance) ||
+           has_part_inside(own, instance, its, neighbour) ||
+           (linking == Linking::avoid && linked(shape, pose, other));
   });
   return meets || leaves_target(shape, instance);
 }

@@ -34,8 +34,9 @@ class PlacedShapes {
   void find_surroundings(const Pose& pose, std::uint32_t first, std::vector<std::uint32_t>& ids,
                          Surroundings& surroundings) const;
   /// Whether a shape would meet the target or an instance, or where links are to be avoided hang in
-  /// one. By one thread at a time.
-  [[nodiscard]] bool blocks(const ShapedElement& shape, const Pose& pose, Linking linking);
+  /// one. `ids` is room to work in.
+  [[nodiscard]] bool blocks(const ShapedElement& shape, const Pose& pose, Linking linking,
+                            std::vector<std::uint32_t>& ids) const;
   /// Whether a shape's loops and those of an instance go round each other.
   [[nodiscard]] bool linked(const ShapedElement& shape, const Pose& pose,
                             std::uint32_t other) const;
@@ -43,6 +44,9 @@ class PlacedShapes {
   [[nodiscard]] PoseFinder::Opening opening_of(std::uint32_t host) const;
 
  private:
+  /// Of instances from number `first` on, those that may come within `reach` of a point, rising.
+  void find_near(const dvec3& center, double reach, std::uint32_t first,
+                 std::vector<std::uint32_t>& ids) const;
   [[nodiscard]] bool leaves_target(const ShapedElement& shape, const Instance& instance) const;
 
   const ShapeTarget& target_;
@@ -51,9 +55,6 @@ class PlacedShapes {
   std::vector<Instance> instances_;
   std::vector<const ShapedElement*> shapes_;
   std::vector<Pose> poses_;
-  /// For each instance the last test that looked at it.
-  std::vector<std::uint64_t> looked_at_;
-  std::uint64_t tests_ = 0;
 };
 
 }  // namespace collage

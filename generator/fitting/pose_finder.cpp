@@ -10,9 +10,9 @@
 namespace collage {
 namespace {
 
-constexpr int starts_of_new_hole = 6;
-constexpr int starts_of_old_hole = 3;
-constexpr std::size_t finalists = 3;
+constexpr double starts_of_new_hole = 6.0;
+constexpr double starts_of_old_hole = 3.0;
+constexpr double finalists = 3.0;
 
 /// Even over the sphere where u and v are even over [0, 1).
 dvec3 direction_on_sphere(double u, double v) {
@@ -68,15 +68,15 @@ dvec3 PoseFinder::longest_chord(const dvec3& hole) const {
 void PoseFinder::add_starts(const Request& request, Rng& rng) {
   poses_.clear();
   const ShapedElement& shape = request.shape;
-  int starts = starts_of_new_hole;
+  double starts = request.effort * starts_of_new_hole;
   if (request.previous.radius > 0.0) {
     poses_.push_back(request.previous);
     poses_.back().radius *= 0.95;
-    starts = starts_of_old_hole;
+    starts = request.effort * starts_of_old_hole;
   }
   const dvec3 chord = longest_chord(request.hole);
   for (int i = 0; i < starts; ++i) {
-    const bool along_chord = 2 * i < starts;
+    const bool along_chord = 2.0 * i < starts;
     const dvec3 way = i % 2 == 0 ? chord : -chord;
     const glm::dquat rotation =
         along_chord ? orientation(shape.long_axis(), way, glm::two_pi<double>() * rng.uniform())
@@ -95,12 +95,13 @@ void PoseFinder::add_starts(const Request& request, Rng& rng) {
   }
 }
 
-Pose PoseFinder::find(const Request& request, Rng& rng) {
+std::span<const Pose> PoseFinder::find(const Request& request, Rng& rng) {
   add_starts(request, rng);
   return refine(request, rng);
 }
 
-Pose PoseFinder::find_linked(const Request& request, const Opening& opening, Rng& rng) {
+std::span<const Pose> PoseFinder::find_linked(const Request& request, const Opening& opening,
+                                              Rng& rng) {
   constexpr int starts = 16;
   const Loop& ring = *request.shape.ring();
   poses_.clear();
@@ -119,7 +120,7 @@ Pose PoseFinder::find_linked(const Request& request, const Opening& opening, Rng
   return refine(request, rng);
 }
 
-Pose PoseFinder::refine(const Request& request, Rng& rng) {
+std::span<const Pose> PoseFinder::refine(const Request& request, Rng& rng) {
   // A start that has come half as far as the best, or as need be, may still get there.
   constexpr double hopeful = 0.55;
   constexpr double worth_refining = 0.85;
@@ -134,10 +135,12 @@ Pose PoseFinder::refine(const Request& request, Rng& rng) {
     best_radius = std::max(best_radius, pose.radius);
   }
   std::ranges::stable_sort(poses_, std::ranges::greater{}, &Pose::radius);
-  Pose best;
-  for (std::size_t i = 0; i < std::min(finalists, poses_.size()); ++i) {
+  found_.clear();
+  double largest = 0.0;
+  const auto most = static_cast<std::size_t>(finalists * std::sqrt(request.effort));
+  for (std::size_t i = 0; i < std::min(most, poses_.size()); ++i) {
     if (poses_[i].radius < hopeful * request.least_radius ||
-        poses_[i].radius < (i == 0 ? 0.0 : worth_refining * hopeful) * best.radius) {
+        poses_[i].radius < worth_refining * hopeful * largest) {
       break;
     }
     const Pose pose = optimizer_.maximize(request.shape.fine(), poses_[i],
@@ -146,11 +149,13 @@ Pose PoseFinder::refine(const Request& request, Rng& rng) {
                                            .largest_radius = request.largest_radius,
                                            .least_radius = hopeful * request.least_radius},
                                           rng);
-    if (pose.radius > best.radius) {
-      best = pose;
+    largest = std::max(largest, pose.radius);
+    if (pose.radius >= request.least_radius) {
+      found_.push_back(pose);
     }
   }
-  return best.radius >= request.least_radius ? best : Pose{};
+  std::ranges::stable_sort(found_, std::ranges::greater{}, &Pose::radius);
+  return found_;
 }
 
 }  // namespace collage

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "fitting/free_space.h"
 #include "fitting/pose_optimizer.h"
 
@@ -15,6 +17,8 @@ class PoseFinder {
     /// A pose found smaller than this is of no use.
     double least_radius = 0.0;
     double largest_radius = 1e300;
+    /// How many times the usual number of starts, at least 1.
+    double effort = 1.0;
     /// What was found here before, or nowhere.
     Pose previous;
   };
@@ -30,19 +34,20 @@ class PoseFinder {
       : space_(space), optimizer_(space.distances(), margin) {}
 
   [[nodiscard]] PoseOptimizer& optimizer() { return optimizer_; }
-  /// Radius 0 where none was found that is large enough.
-  Pose find(const Request& request, Rng& rng);
+  /// Poses that are large enough, the largest first; valid until the next call.
+  std::span<const Pose> find(const Request& request, Rng& rng);
   /// Starts with the element's own ring through the opening; it need not stay there.
-  Pose find_linked(const Request& request, const Opening& opening, Rng& rng);
+  std::span<const Pose> find_linked(const Request& request, const Opening& opening, Rng& rng);
 
  private:
-  Pose refine(const Request& request, Rng& rng);
+  std::span<const Pose> refine(const Request& request, Rng& rng);
   [[nodiscard]] dvec3 longest_chord(const dvec3& hole) const;
   void add_starts(const Request& request, Rng& rng);
 
   const FreeSpace& space_;
   PoseOptimizer optimizer_;
   std::vector<Pose> poses_;
+  std::vector<Pose> found_;
 };
 
 }  // namespace collage

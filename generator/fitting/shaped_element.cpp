@@ -56,7 +56,7 @@ dvec3 area_vector(const Loop& loop) {
   return sum;
 }
 
-SphereSet::SphereSet(const SphereCover& cover) {
+SphereSet::SphereSet(const SphereCover& cover, double trusted) {
   for (const Sphere& sphere : cover.spheres) {
     centers.emplace_back(sphere.center);
     const double given_away = trusted * std::min(cover.bulge, sphere.radius - cover.bulge);
@@ -75,8 +75,10 @@ ShapedElement::ShapedElement(const Mesh& mesh, const Element& element, ShapeData
     : element_(&element),
       collision_(mesh, element.solid()),
       data_(std::move(data)),
-      coarse_(data_.coarse),
-      fine_(data_.fine),
+      minima_(data_.distances),
+      coarse_(data_.coarse, trusted),
+      fine_(data_.fine, trusted),
+      cautious_(data_.fine, 0.0),
       unit_volume_(std::abs(element.solid().volume()) / std::pow(element.size(), 3.0)),
       inscribed_(deepest(data_.fine)),
       long_axis_(find_long_axis(mesh)),

@@ -12,11 +12,12 @@ namespace collage {
 
 /// A cover as the optimiser reads it: many small float numbers.
 struct SphereSet {
-  explicit SphereSet(const SphereCover& cover);
+  /// `trusted` is the share of the bulge, or of the depth where that is less, that is given away.
+  SphereSet(const SphereCover& cover, double trusted);
 
   std::vector<glm::vec3> centers;
-  /// Less than those of the cover by what the optimiser gives away: where such spheres fit the
-  /// solid may or may not, and the exact test decides.
+  /// Less than those of the cover by what is given away: where such spheres fit the solid may or
+  /// may not, and the exact test decides.
   std::vector<float> radii;
 };
 
@@ -47,9 +48,12 @@ class ShapedElement {
   [[nodiscard]] const CollisionShape& collision() const { return collision_; }
   [[nodiscard]] const SphereSet& coarse() const { return coarse_; }
   [[nodiscard]] const SphereSet& fine() const { return fine_; }
+  /// The finer cover with nothing given away: where it fits the solid does.
+  [[nodiscard]] const SphereSet& cautious() const { return cautious_; }
   /// The finer cover, with all of its bulge.
   [[nodiscard]] const SphereCover& cover() const { return data_.fine; }
   [[nodiscard]] const DistanceField& distances() const { return data_.distances; }
+  [[nodiscard]] const DistanceMinima& distance_minima() const { return minima_; }
   /// Of the unit frame's solid.
   [[nodiscard]] double unit_volume() const { return unit_volume_; }
   /// The deepest point inside, and its depth.
@@ -65,8 +69,10 @@ class ShapedElement {
   const Element* element_;
   CollisionShape collision_;
   ShapeData data_;
+  DistanceMinima minima_;
   SphereSet coarse_;
   SphereSet fine_;
+  SphereSet cautious_;
   double unit_volume_;
   Sphere inscribed_;
   dvec3 long_axis_;

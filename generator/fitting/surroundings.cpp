@@ -6,16 +6,21 @@ void Surroundings::add(const ShapedElement& shape, const Pose& pose) {
   const DistanceField& distances = shape.distances();
   const glm::dmat3 rotation = glm::mat3_cast(pose.rotation);
   const double steps_per_world = 1.0 / (pose.radius * distances.spacing());
-  neighbours_.push_back({&distances, from_origin(pose.center), static_cast<float>(pose.radius),
-                         glm::mat3(rotation), glm::mat3(glm::transpose(rotation) * steps_per_world),
+  neighbours_.push_back({&distances, &shape.distance_minima(), from_origin(pose.center),
+                         static_cast<float>(pose.radius), glm::mat3(rotation),
+                         glm::mat3(glm::transpose(rotation) * steps_per_world),
                          glm::vec3(distances.steps(dvec3(0.0)))});
 }
 
 float Surroundings::value(const glm::vec3& point, glm::vec3& direction) const {
   float nearest = 1e30F;
+  glm::vec3 target_steps;
   if (target_ != nullptr) {
-    nearest = target_->value(glm::vec3(target_->steps(origin_ + dvec3(point))), direction);
+    target_steps = glm::vec3(target_->steps(origin_ + dvec3(point)));
+    nearest = target_->value(target_steps);
   }
+  const Neighbour* nearest_neighbour = nullptr;
+  glm::vec3 nearest_steps;
   for (const Neighbour& neighbour : neighbours_) {
     const glm::vec3 arm = point - neighbour.center;
     const float reach = nearest + neighbour.radius;
@@ -24,18 +29,30 @@ float Surroundings::value(const glm::vec3& point, glm::vec3& direction) const {
       continue;
     }
     const glm::vec3 steps = neighbour.steps_of_center + neighbour.steps_from_world * arm;
-    if (neighbour.distances->holds(steps)) {
-      glm::vec3 slope;
-      const float distance = neighbour.distances->value(steps, slope) * neighbour.radius;
-      if (distance < nearest) {
-        nearest = distance;
-        direction = neighbour.world_from_unit * slope;
-      }
+    float distance = 0.0F;
+    if (!neighbour.distances->holds(steps)) {
+      distance = std::sqrt(squared) - neighbour.radius;
+    } else if (neighbour.minima->below(steps) * neighbour.radius < nearest) {
+      distance = neighbour.distances->value(steps) * neighbour.radius;
     } else {
-      const float length = std::sqrt(squared);
-      nearest = length - neighbour.radius;
-      direction = arm / length;
+      continue;
     }
+    if (distance < nearest) {
+      nearest = distance;
+      nearest_neighbour = &neighbour;
+      nearest_steps = steps;
+    }
+  }
+  if (nearest_neighbour == nullptr) {
+    if (target_ != nullptr) {
+      target_->value(target_steps, direction);
+    }
+  } else if (nearest_neighbour->distances->holds(nearest_steps)) {
+    glm::vec3 slope;
+    nearest_neighbour->distances->value(nearest_steps, slope);
+    direction = nearest_neighbour->world_from_unit * slope;
+  } else {
+    direction = glm::normalize(point - nearest_neighbour->center);
   }
   return nearest;
 }

@@ -31,6 +31,7 @@ class Surroundings {
  private:
   struct Neighbour {
     const DistanceField* distances;
+    const DistanceMinima* minima;
     glm::vec3 center;
     float radius;
     glm::mat3 world_from_unit;

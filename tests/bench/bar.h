@@ -18,16 +18,24 @@ struct Bar {
   double ratio = 0.0;
   enum class Side { at_least, at_most } side = Side::at_least;
   double bar = 0.0;
+  /// What the bar is set for.
+  enum class Held { ratio, figure } held = Held::ratio;
+  /// False where the figure was come by at the price of a promise.
+  bool sound = true;
 
-  [[nodiscard]] bool holds() const { return side == Side::at_least ? ratio >= bar : ratio <= bar; }
+  [[nodiscard]] bool holds() const {
+    const double value = held == Held::ratio ? ratio : figure;
+    return sound && (side == Side::at_least ? value >= bar : value <= bar);
+  }
 };
 
 /// Bars measured together; a group whose name holds the filter is run.
 struct Group {
   std::string name;
   std::function<std::vector<Bar>()> run;
-  /// The meshes of others are needed.
-  enum class Meshes { own, field } meshes = Meshes::own;
+  /// The meshes of others are needed: those in $COLLAGE_FIELD_MESHES, or sweethome3d-furniture in
+  /// $COLLAGE_MESHES.
+  enum class Meshes { own, field, furniture } meshes = Meshes::own;
 };
 
 // Each in the file of its name.
@@ -35,8 +43,12 @@ std::vector<Group> update_bars();
 std::vector<Group> scaling_bars();
 std::vector<Group> signed_distance_bars();
 std::vector<Group> preview_bars();
+std::vector<Group> shape_bars();
 
-/// A mesh from $COLLAGE_FIELD_MESHES, set right.
+/// $COLLAGE_FIELD_MESHES, or empty.
+std::string field_folder();
+
+/// A mesh from there, set right.
 Mesh field_mesh(const std::string& name);
 
 /// Processor time of all threads, which others on the machine hardly disturb.

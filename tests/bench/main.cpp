@@ -20,18 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string field_folder() {
-  const char* folder = std::getenv("COLLAGE_FIELD_MESHES");
-  return folder == nullptr ? "" : folder;
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Why a group cannot be run; empty: it can.
+std::string missing(Group::Meshes meshes) {
+  if (meshes == Group::Meshes::field && field_folder().empty()) {
+    return "COLLAGE_FIELD_MESHES is not set";
+  }
+  if (meshes == Group::Meshes::furniture && environment("COLLAGE_MESHES").empty()) {
+    return "COLLAGE_MESHES is not set";
+  }
+  return "";
 }
 
 std::string required(const Bar& bar) {
-  return fmt::format("{} {:g}", bar.side == Bar::Side::at_least ? "at least" : "at most", bar.bar);
+  return fmt::format("{} {:g}{}", bar.side == Bar::Side::at_least ? "at least" : "at most", bar.bar,
+                     bar.held == Bar::Held::figure ? " " + bar.unit : "");
+}
+
+std::string verdict(const Bar& bar) {
+  return !bar.sound ? "NO, not sound" : bar.holds() ? "yes" : "NO";
 }
 
 void print(const Bar& bar) {
-  fmt::print("{:<58} {:>10.4g} {:<14} {:>10.4g} {:>8.3g}  {:<13} {}\n", bar.name, bar.figure,
-             bar.unit, bar.baseline, bar.ratio, required(bar), bar.holds() ? "yes" : "NO");
+  fmt::print("{:<58} {:>10.4g} {:<14} {:>10.4g} {:>8.3g}  {:<15} {}\n", bar.name, bar.figure,
+             bar.unit, bar.baseline, bar.ratio, required(bar), verdict(bar));
   std::fflush(stdout);
 }
 
@@ -41,9 +57,9 @@ std::string json(std::span<const Bar> bars) {
   for (const Bar& bar : bars) {
     text += fmt::format(
         "{}\n  {{\"name\": \"{}\", \"figure\": {:.6g}, \"unit\": \"{}\", \"baseline\": {:.6g}, "
-        "\"ratio\": {:.6g}, \"bar\": \"{}\", \"holds\": {}}}",
+        "\"ratio\": {:.6g}, \"bar\": \"{}\", \"sound\": {}, \"holds\": {}}}",
         &bar == bars.data() ? "" : ",", bar.name, bar.figure, bar.unit, bar.baseline, bar.ratio,
-        required(bar), bar.holds());
+        required(bar), bar.sound, bar.holds());
   }
   return text + "\n]}\n";
 }
@@ -67,20 +83,21 @@ int run(std::span<char*> arguments) {
     }
   }
   std::vector<Group> groups;
-  for (const auto& part : {update_bars, scaling_bars, signed_distance_bars, preview_bars}) {
+  for (const auto& part :
+       {update_bars, scaling_bars, signed_distance_bars, preview_bars, shape_bars}) {
     for (Group& group : part()) {
       groups.push_back(std::move(group));
     }
   }
-  fmt::print("{:<58} {:>10} {:<14} {:>10} {:>8}  {:<13} {}\n", "bar", "figure", "unit", "baseline",
+  fmt::print("{:<58} {:>10} {:<14} {:>10} {:>8}  {:<15} {}\n", "bar", "figure", "unit", "baseline",
              "ratio", "required", "holds");
   std::vector<Bar> bars;
   for (const Group& group : groups) {
     if (group.name.find(filter) == std::string::npos) {
       continue;
     }
-    if (group.meshes == Group::Meshes::field && field_folder().empty()) {
-      fmt::print("{}: skipped, as COLLAGE_FIELD_MESHES is not set\n", group.name);
+    if (const std::string reason = missing(group.meshes); !reason.empty()) {
+      fmt::print("{}: skipped, as {}\n", group.name, reason);
       continue;
     }
     for (const Bar& bar : group.run()) {
@@ -100,6 +117,8 @@ int run(std::span<char*> arguments) {
 }
 
 }  // namespace
+
+std::string field_folder() { return environment("COLLAGE_FIELD_MESHES"); }
 
 Mesh field_mesh(const std::string& name) {
   Status status;

@@ -1,6 +1,7 @@
 #include "fitting/pack_by_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
