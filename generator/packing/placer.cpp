@@ -62,9 +62,9 @@ std::optional<Instance> Placer::place(const Hole& hole, std::size_t index,
   Instance instance;
   instance.element = choice->element;
   instance.scale = choice->scale;
-  instance.rotation = orientation(element.farthest_direction(),
-                                  surfaces.direction(hole.nearest, hole.center, hole.clearance),
-                                  spin_radians);
+  instance.rotation =
+      orientation(element.farthest_direction(),
+                  surfaces.direction(hole.nearest, hole.center, hole.clearance), spin_radians);
   instance.translation = hole.center - instance.rotation * (choice->scale * element.center());
   return instance;
 }

@@ -133,7 +133,7 @@ std::vector<Bar> chair() {
 std::vector<Bar> rings() {
   const test::Folder folder;
   const fs::path ring = folder.path() / "ring.obj";
-  write_obj(ring, test::torus_mesh(1.0, 0.2, 48, 16));
+  write_obj(ring, test::torus_mesh(1.0, 0.2, 48, 16), "");
   return fill_and_time("bunny of rings", scene_of(others_mesh("targets/bunny.obj"), {ring}), 58.0,
                        45.0);
 }
