@@ -2,18 +2,15 @@
 
 #include <atomic>
 #include <cerrno>
-#include <mutex>
-#include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/in_use.h"
 
 namespace collage {
 namespace {
@@ -51,21 +48,14 @@ std::vector<std::string> stems_in(const fs::path& folder) {
   return stems;
 }
 
-/// Whether this process comes to the folder for the first time.
-bool is_first_visit(const fs::path& folder) {
-  static std::mutex mutex;
-  static std::set<fs::path> seen;
-  const std::lock_guard lock(mutex);
-  return seen.insert(fs::absolute(folder)).second;
-}
-
 }  // namespace
 
 Scratch::Scratch(const fs::path& folder) : folder_(folder) {
   static std::atomic<unsigned> counter{0};
   std::error_code ignored;  // a folder that cannot be made is reported by open() below
   fs::create_directories(folder, ignored);
-  if (is_first_visit(folder)) {
+  static VisitedFolders visited;
+  if (visited.add(folder)) {
     remove_stale_scratch(folder);
   }
   do {
@@ -83,12 +73,8 @@ bool Scratch::lock() {
     throw Error({folder_}, "cannot be written to: " + std::generic_category().message(errno),
                 "check the folder's permissions and free space, or choose another with -o");
   }
-  // A clean-up that came between the two calls has taken the file away. Where the file system knows
-  // no locks, there is no clean-up either.
-  while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-  }
-  struct stat info {};
-  if (::fstat(descriptor_, &info) == 0 && info.st_nlink > 0) {
+  // A clean-up that came between the two calls has taken the file away.
+  if (hold(descriptor_)) {
     return true;
   }
   ::close(descriptor_);
@@ -102,14 +88,9 @@ Scratch::~Scratch() {
 
 void remove_stale_scratch(const fs::path& folder) {
   for (const std::string& stem : stems_in(folder)) {
-    const int descriptor = ::open((folder / (stem + lock_extension)).c_str(), O_RDWR | O_CLOEXEC);
-    if (descriptor < 0) {
-      continue;
-    }
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+    if (const Abandoned abandoned(folder / (stem + lock_extension)); abandoned) {
       remove_files(folder, stem);
     }
-    ::close(descriptor);
   }
 }
 

@@ -4,18 +4,16 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <mutex>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <openssl/evp.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/in_use.h"
 
 namespace collage {
 namespace {
@@ -36,41 +34,17 @@ fs::path temporary_in(const fs::path& folder) {
                    std::to_string(counter++));
 }
 
-/// Takes the lock by which others see that a temporary file is in use. False where they were
-/// quicker and have removed it.
-bool lock_temporary(int descriptor) {
-  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
-  }
-  struct stat info {};
-  return ::fstat(descriptor, &info) == 0 && info.st_nlink > 0;
-}
-
-/// Where the file system knows no locks, nothing is taken for abandoned.
-void remove_if_abandoned(const fs::path& temporary) {
-  const int descriptor = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
-  if (descriptor < 0) {
-    return;
-  }
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
-    ::unlink(temporary.c_str());
-  }
-  ::close(descriptor);
-}
-
-/// Once a folder is as good as each time: nobody dies in between but us.
 void remove_abandoned(const fs::path& folder) {
-  static std::mutex mutex;
-  static std::set<fs::path> seen;
-  {
-    const std::lock_guard lock(mutex);
-    if (!seen.insert(fs::absolute(folder)).second) {
-      return;
-    }
+  static VisitedFolders visited;
+  if (!visited.add(folder)) {
+    return;
   }
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     if (entry.path().filename().string().starts_with(temporary_prefix)) {
-      remove_if_abandoned(entry.path());
+      if (const Abandoned abandoned(entry.path()); abandoned) {
+        ::unlink(entry.path().c_str());
+      }
     }
   }
 }
@@ -140,7 +114,7 @@ bool FileWriter::open_in(const fs::path& folder) {
     errno = error;
     fail("created");
   }
-  if (descriptor_ >= 0 && !lock_temporary(descriptor_)) {
+  if (descriptor_ >= 0 && !hold(descriptor_)) {
     ::close(std::exchange(descriptor_, -1));
   }
   return descriptor_ >= 0;
