@@ -28,10 +28,6 @@ ShadowFineness fineness(Quality quality) {
   return {63, 64};
 }
 
-Standing standing(const std::string& look) {
-  return look == "x-ray" || look == "breakdown" ? Standing::target_too : Standing::sculpture;
-}
-
 std::string declaration_of(const FloorShadow& shadow, const FloorLight& light) {
   std::string text = "#version 3.7;\n#declare Given_Shadow_Light = array[6] {";
   for (const double number : {shadow.radius(), light.key.x, light.key.y, light.key.z,
@@ -62,8 +58,10 @@ struct TracedShadows::Folder {
   CompositionBounds bounds;
   /// Whether scene.pov is the one that was written with sculpture.json.
   bool is_as_written;
-  std::string last_shown;
-  std::optional<InstancedScene> last;
+  /// Of the last picture.
+  PreviewShown shown;
+  double ground = 0.0;
+  std::optional<InstancedScene> sculpture;
 
   Folder(const fs::path& path_, Status& status)
       : path(path_),
@@ -73,19 +71,17 @@ struct TracedShadows::Folder {
         is_as_written(finished.sculpture.scene_sha256 == sha256(read_file(path / "scene.pov"))) {}
 
   const InstancedScene& scene(const Shot& shot, const Stand& stand) {
-    const int element = shot.only_element.value_or(-1);
-    std::string key =
-        number_text(shot.stage) + " " + std::to_string(element) + " " + number_text(stand.foot.y);
-    if (!last || last_shown != key) {
-      PreviewShown shown{shot.stage, std::nullopt};
-      if (shot.only_element) {
-        shown.element = static_cast<std::uint32_t>(element);
-      }
-      const Exhibit exhibit = exhibit_of(composition, shown, stand);
-      last.emplace(exhibit.meshes, exhibit.instances);
-      last_shown = std::move(key);
+    PreviewShown wanted{shot.stage, std::nullopt};
+    if (shot.only_element) {
+      wanted.element = static_cast<std::uint32_t>(*shot.only_element);
     }
-    return *last;
+    if (!sculpture || wanted != shown || stand.foot.y != ground) {
+      const Exhibit exhibit = exhibit_of(composition, wanted, stand);
+      sculpture.emplace(exhibit.meshes, exhibit.instances);
+      shown = wanted;
+      ground = stand.foot.y;
+    }
+    return *sculpture;
   }
 };
 

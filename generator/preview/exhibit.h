@@ -14,6 +14,8 @@ struct PreviewShown {
   double stage = 1.0;
   /// Index of the only element shown; nullopt: all.
   std::optional<std::uint32_t> element;
+
+  bool operator==(const PreviewShown&) const = default;
 };
 
 /// What stands in the studio: copies of the elements' meshes, then of the props'.

@@ -109,6 +109,10 @@ LampParts studio_lamps(const Bearing& bearing) {
   return parts;
 }
 
+Standing standing(std::string_view look) {
+  return look == "x-ray" || look == "breakdown" ? Standing::target_too : Standing::sculpture;
+}
+
 std::optional<FloorLight> floor_light(std::string_view look) {
   if (look == "studio" || look == "x-ray" || look == "breakdown") {
     return FloorLight{key, 40.0, 0.4};

@@ -27,6 +27,9 @@ LampParts studio_lamps(const Bearing& bearing);
 /// ending; nullopt for others.
 std::optional<FloorLight> floor_light(std::string_view look);
 
+/// What stands on the floor there: templates that show the target have it stand there too.
+Standing standing(std::string_view look);
+
 /// What a mirror shows in a direction of the studio, 1 for white.
 double studio_room(const dvec3& direction, const Bearing& bearing);
 
