@@ -78,7 +78,8 @@ class Batch {
   };
 
   void render(const std::vector<Task>& tasks) {
-    const int at_once = tasks.size() == 1 ? 1 : tools_.threads + 1;  // each idles at its ends
+    const bool alone = tasks.size() == 1 || tools_.threads == 1;
+    const int at_once = alone ? 1 : tools_.threads + 1;  // each idles when it comes and goes
     const int threads = tasks.size() == 1 ? tools_.threads : 1;
     done_ = total_ - tasks.size();
     auto next = tasks.begin();

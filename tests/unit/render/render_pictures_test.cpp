@@ -42,12 +42,12 @@ class RenderByFake : public ::testing::Test {
  protected:
   void SetUp() override { write_scene(folder_.path()); }
 
-  RenderCount render(int pictures) {
+  RenderCount render(int pictures, int threads = 3) {
     std::vector<PictureJob> jobs;
     for (int i = 0; i < pictures; ++i) {
       jobs.push_back({small_shot(10.0 * i), folder_ / ("stills/" + std::to_string(i) + ".png")});
     }
-    return render_pictures({runner_, povray_, 3, status_}, folder_.path(), jobs, "frame");
+    return render_pictures({runner_, povray_, threads, status_}, folder_.path(), jobs, "frame");
   }
   void answer(const FakeRunner::Answer& answer, int times = 1) {
     runner_.answers.insert(runner_.answers.end(), static_cast<std::size_t>(times), answer);
@@ -83,6 +83,12 @@ TEST_F(RenderByFake, several_pictures_get_a_thread_each_and_one_waits) {
   }
   EXPECT_THAT(hidden_files(), ::testing::IsEmpty());
   EXPECT_THAT(folder_.files(), Contains("stills/4.png"));
+}
+
+TEST_F(RenderByFake, one_thread_has_one_picture_at_a_time) {
+  answer(good_, 3);
+  EXPECT_EQ(render(3, 1).rendered, 3);
+  EXPECT_EQ(runner_.most_at_once, 1U);
 }
 
 TEST_F(RenderByFake, what_is_there_is_kept_and_the_rest_finished) {
