@@ -75,6 +75,9 @@ class Places {
       std::ranges::for_each(prop, visit);
     }
     for (const std::uint32_t i : order_) {
+      if (!stands_out(middle_, reach_[i])) {
+        break;  // this one and all that come after it lie within that ball
+      }
       if (!stands_out(balls_[i].center, balls_[i].radius)) {
         continue;
       }
@@ -102,13 +105,14 @@ class Places {
     for (const Ball& ball : balls_) {
       centers.include(ball.center);
     }
-    std::vector<double> reach;
+    middle_ = centers.center();
+    reach_.reserve(balls_.size());
     for (const Ball& ball : balls_) {
-      reach.push_back(glm::distance(ball.center, centers.center()) + ball.radius);
+      reach_.push_back((glm::distance(ball.center, middle_) + ball.radius) * (1.0 + 1e-12));
     }
     order_.resize(balls_.size());
     std::iota(order_.begin(), order_.end(), 0U);
-    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach[i]; });
+    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach_[i]; });
   }
 
   const Composition& composition_;
@@ -117,6 +121,9 @@ class Places {
   std::vector<std::vector<dvec3>> vertices_;
   std::vector<Corners> corners_;
   std::vector<Ball> balls_;
+  dvec3 middle_{0.0};
+  /// How far each ball reaches from the middle, and all with the farthest first.
+  std::vector<double> reach_;
   std::vector<std::uint32_t> order_;
 };
 
