@@ -153,12 +153,12 @@ std::vector<std::string> povray_options(const Shot& shot) {
                                       "-D",
                                       "-J",
                                       "+SU",
-                                      "+BM2",
+                                      "+BM1",
                                       "-GA"};
   if (shot.quality == Quality::draft) {
     options.insert(options.end(), {"+A0.3", "+AM2", "+R1"});
   } else {
-    options.insert(options.end(), {"+A0.4", "+AM2", "+R2"});
+    options.insert(options.end(), {"+A0.5", "+AM2", "+R2"});
   }
   return options;
 }

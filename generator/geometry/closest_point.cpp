@@ -4,66 +4,97 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
-#include "geometry/embree_scene.h"
+#include "geometry/boxes.h"
+#include "geometry/four_tree.h"
 
 namespace collage {
 namespace {
 
-/// A disc that holds a triangle, as thick as rounding has it.
-struct Disc {
-  dvec3 center;
-  /// Unit vector at right angles to it; 0 for a triangle without area, which the disc's ball holds.
-  dvec3 normal{0.0};
-  double radius = 0.0;
-  double half_thickness = 0.0;
+/// Directions with an offset each: how far a point is beyond the planes that they stand on.
+struct Planes {
+  Points<Four> normal{};
+  Four offset{};
 
-  explicit Disc(const std::array<dvec3, 3>& triangle)
-      : center((triangle[0] + triangle[1] + triangle[2]) / 3.0) {
-    const dvec3 area = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-    const double length = glm::length(area);
-    if (length > 0.0) {
-      normal = area / length;
-    }
-    for (const dvec3& corner : triangle) {
-      radius = std::max(radius, glm::distance(center, corner));
-      half_thickness = std::max(half_thickness, std::abs(glm::dot(normal, corner - center)));
-    }
-    // Some room, so that rounding never makes a point look farther than it is.
-    radius += 1e-12;
-    half_thickness += 1e-12;
-  }
-
-  /// Whether all of it is farther from a point than `distance`.
-  [[nodiscard]] bool is_beyond(const dvec3& point, double distance) const {
-    const dvec3 to_center = center - point;
-    const double squared = glm::dot(to_center, to_center);
-    const double reach = distance + radius;
-    if (squared > reach * reach) {
-      return true;
-    }
-    const double height = glm::dot(normal, to_center);
-    const double above = std::max(0.0, std::abs(height) - half_thickness);
-    const double beside =
-        std::max(0.0, std::sqrt(std::max(0.0, squared - height * height)) - radius);
-    return above * above + beside * beside > distance * distance * (1.0 + 1e-12);
+  [[nodiscard]] Four height(const Points<Four>& point) const { return dot(normal, point) - offset; }
+  void set(std::size_t lane, const dvec3& direction, double distance) {
+    set_lane(normal, lane, direction);
+    offset[lane] = static_cast<float>(distance);
   }
 };
 
-/// A mesh's triangles, and around each a disc.
-struct Facets {
-  std::vector<Disc> discs;
-  std::vector<std::array<dvec3, 3>> triangles;
+using Corners = std::array<dvec3, 3>;
+
+/// Up to four triangles, each within the prism of its own plane and those upright on its edges.
+struct Prisms {
+  Planes face;
+  std::array<Planes, 3> sides;
+  std::array<std::uint32_t, lanes> triangles{};
+
+  Prisms() { face.offset = all_four(std::numeric_limits<float>::infinity()); }
+  void set(std::size_t lane, std::uint32_t triangle, const Corners& corners);
+  /// No more than the squares of the distances to the triangles; infinite for a lane without one.
+  [[nodiscard]] Four squared_distance(const Points<Four>& point) const {
+    const Four above = face.height(point);
+    const Four beside = larger(larger(sides[0].height(point), sides[1].height(point)),
+                               larger(sides[2].height(point), Four{}));
+    return above * above + beside * beside;
+  }
 };
 
-struct Search {
-  const Facets* facets;
-  ClosestPointIndex::Surface surface;
-  dvec3 query;
-  ClosestPoint best;
+/// A triangle too thin to tell its plane is given planes that bound nothing.
+void Prisms::set(std::size_t lane, std::uint32_t triangle, const Corners& corners) {
+  constexpr double exact_enough = 1e-9;
+  triangles[lane] = triangle;
+  const auto unit = [](const dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : dvec3(0.0);
+  };
+  const auto range_along = [&](const dvec3& direction) {
+    return std::minmax({glm::dot(direction, corners[0]), glm::dot(direction, corners[1]),
+                        glm::dot(direction, corners[2])});
+  };
+  const dvec3 normal = unit(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const auto [low, high] = range_along(normal);
+  bool is_known = high - low < exact_enough;
+  std::array<dvec3, 3> outwards;
+  for (std::size_t k = 0; k < 3; ++k) {
+    outwards[k] = unit(glm::cross(corners[(k + 1) % 3] - corners[k], normal));
+    is_known = is_known && std::abs(glm::dot(outwards[k], normal)) < exact_enough;
+  }
+  face.set(lane, is_known ? normal : dvec3(0.0), is_known ? low : 0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k].set(lane, is_known ? outwards[k] : dvec3(0.0),
+                 is_known ? range_along(outwards[k]).second : 0.0);
+  }
+}
 
-  bool visit(std::uint32_t triangle);
+/// Up to four boxes, and what is in each.
+struct Boxes {
+  Points<Four> min;
+  Points<Four> max;
+  std::array<std::uint32_t, lanes> content{};
+
+  Boxes() {
+    min.fill(all_four(std::numeric_limits<float>::infinity()));
+    max.fill(all_four(-std::numeric_limits<float>::infinity()));
+  }
+  void set(std::size_t lane, const Box& box, std::uint32_t what) {
+    set_lane(min, lane, box.min);
+    set_lane(max, lane, box.max);
+    content[lane] = what;
+  }
+  /// Infinite for a lane without a box.
+  [[nodiscard]] Four squared_distance(const Points<Four>& point) const {
+    Four sum{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Four away = larger(larger(min[axis] - point[axis], point[axis] - max[axis]), Four{});
+      sum += away * away;
+    }
+    return sum;
+  }
 };
 
 float rounded_up(double x) {
@@ -77,35 +108,10 @@ dvec3 closest_corner(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3
   return squared(c) < squared(ab) ? c : ab;
 }
 
-/// True where the triangle is nearer than the best, or as near and comes before it.
-bool Search::visit(std::uint32_t triangle) {
-  if (facets->discs[triangle].is_beyond(query, best.distance)) {
-    return false;
-  }
-  const auto& [a, b, c] = facets->triangles[triangle];
-  const dvec3 point = surface == ClosestPointIndex::Surface::triangles
-                          ? closest_point_on_triangle(query, a, b, c)
-                          : closest_corner(query, a, b, c);
-  const double distance = glm::distance(query, point);
-  if (distance > best.distance || (distance == best.distance && triangle >= best.triangle)) {
-    return false;
-  }
-  best = {point, distance, triangle};
-  return true;
-}
-
-struct EmbreeSearch : Search {
-  /// How much farther than the best the hierarchy looks, for what it loses in float.
-  double margin;
-};
-
-bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
-  auto& search = *static_cast<EmbreeSearch*>(arguments->userPtr);
-  if (!search.visit(arguments->primID)) {
-    return false;
-  }
-  arguments->query->radius = rounded_up(search.best.distance + search.margin);
-  return true;
+/// The square of a distance as the hierarchy has to compare it; finite.
+float squared_reach(double distance) {
+  const float reach = rounded_up(distance);
+  return std::min(reach * reach, std::numeric_limits<float>::max());
 }
 
 }  // namespace
@@ -147,21 +153,109 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
   return a + ab * (vb * denominator) + ac * (vc * denominator);
 }
 
-struct ClosestPointIndex::Hierarchy {
-  Facets facets;
-  Surface surface;
-  EmbreeScene scene;
+class ClosestPointIndex::Hierarchy {
+ public:
+  Hierarchy(const Mesh& mesh, Surface surface);
+  void search(const dvec3& query, ClosestPoint& best) const;
+  /// True where the triangle is nearer than the best, or as near and comes before it.
+  bool visit(std::uint32_t triangle, const dvec3& query, ClosestPoint& best) const;
 
-  Hierarchy(const Mesh& mesh, Surface what)
-      : surface(what), scene(embree_triangles(mesh), RTC_SCENE_FLAG_NONE) {
-    facets.discs.reserve(mesh.triangles.size());
-    facets.triangles.reserve(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      facets.triangles.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
-      facets.discs.emplace_back(facets.triangles.back());
+  std::uint32_t add_leaf(std::span<const std::uint32_t> triangles);
+  std::uint32_t add_inner();
+  void set_child(std::uint32_t inner, std::size_t lane, const Box& box,
+                 std::span<const std::uint32_t> /*triangles*/, std::uint32_t content) {
+    boxes_[inner].set(lane, box, content);
+  }
+
+ private:
+  struct Waiting {
+    float squared_distance;
+    std::uint32_t content;
+  };
+
+  Surface surface_;
+  std::vector<Corners> triangles_;
+  std::vector<Boxes> boxes_;
+  std::vector<Prisms> prisms_;
+  std::uint32_t root_ = 0;
+};
+
+ClosestPointIndex::Hierarchy::Hierarchy(const Mesh& mesh, Surface surface) : surface_(surface) {
+  triangles_.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    triangles_.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  }
+  const BoxTree tree(boxes_of_triangles(mesh));
+  root_ = FourTreeBuilder(tree, *this).run();
+}
+
+std::uint32_t ClosestPointIndex::Hierarchy::add_leaf(std::span<const std::uint32_t> triangles) {
+  Prisms& prisms = prisms_.emplace_back();
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+    prisms.set(lane, triangles[lane], triangles_[triangles[lane]]);
+  }
+  return static_cast<std::uint32_t>(prisms_.size() - 1);
+}
+
+std::uint32_t ClosestPointIndex::Hierarchy::add_inner() {
+  boxes_.emplace_back();
+  return static_cast<std::uint32_t>(boxes_.size() - 1);
+}
+
+bool ClosestPointIndex::Hierarchy::visit(std::uint32_t triangle, const dvec3& query,
+                                         ClosestPoint& best) const {
+  const auto& [a, b, c] = triangles_[triangle];
+  const dvec3 point = surface_ == Surface::triangles ? closest_point_on_triangle(query, a, b, c)
+                                                     : closest_corner(query, a, b, c);
+  const double distance = glm::distance(query, point);
+  if (distance > best.distance || (distance == best.distance && triangle >= best.triangle)) {
+    return false;
+  }
+  best = {point, distance, triangle};
+  return true;
+}
+
+void ClosestPointIndex::Hierarchy::search(const dvec3& query, ClosestPoint& best) const {
+  const Points<Four> point = all_four(glm::vec3(query));
+  const double margin = error(query);
+  float reach = squared_reach(best.distance + margin);
+  std::array<Waiting, four_tree_waiting> waiting;
+  waiting[0] = {0.0F, root_};
+  std::size_t count = 1;
+  while (count > 0) {
+    const Waiting next = waiting[--count];
+    if (next.squared_distance > reach) {
+      continue;
+    }
+    if ((next.content & four_tree_leaf) != 0) {
+      const Prisms& prisms = prisms_[next.content & ~four_tree_leaf];
+      const Four squared = prisms.squared_distance(point);
+      const auto visit_lane = [&](std::size_t lane) {
+        if (squared[lane] <= reach && visit(prisms.triangles[lane], query, best)) {
+          reach = squared_reach(best.distance + margin);
+        }
+      };
+      const std::size_t nearest = least_lane(squared);
+      visit_lane(nearest);
+      for (std::size_t other = 1; other < lanes; ++other) {
+        visit_lane(nearest ^ other);
+      }
+      continue;
+    }
+    const Boxes& boxes = boxes_[next.content];
+    const Four squared = boxes.squared_distance(point);
+    const std::size_t farthest = count;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (squared[lane] <= reach) {  // in its place, the nearest last
+        std::size_t at = count++;
+        for (; at > farthest && waiting[at - 1].squared_distance < squared[lane]; --at) {
+          waiting[at] = waiting[at - 1];
+        }
+        waiting[at] = {squared[lane], boxes.content[lane]};
+      }
     }
   }
-};
+}
 
 ClosestPointIndex::ClosestPointIndex(const Mesh& mesh, Surface surface)
     : hierarchy_(std::make_unique<Hierarchy>(mesh, surface)) {}
@@ -171,22 +265,12 @@ ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = 
 
 std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance,
                                                     std::optional<std::uint32_t> hint) const {
-  const double margin = error(query);
-  EmbreeSearch search{{&hierarchy_->facets, hierarchy_->surface, query, {{}, max_distance, 0}},
-                      margin};
+  ClosestPoint best{{}, max_distance, 0};
   if (hint) {
-    search.visit(*hint);
+    hierarchy_->visit(*hint, query, best);
   }
-  RTCPointQuery sphere{static_cast<float>(query.x), static_cast<float>(query.y),
-                       static_cast<float>(query.z), 0.0F,
-                       rounded_up(search.best.distance + margin)};
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(hierarchy_->scene.get(), &sphere, &context, visit_triangle, &search);
-  if (search.best.distance >= max_distance) {
-    return std::nullopt;
-  }
-  return search.best;
+  hierarchy_->search(query, best);
+  return best.distance < max_distance ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace collage

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "geometry/closest_point.h"
@@ -64,9 +65,8 @@ class DistanceBounds {
       const glm::vec3 at = (query + half_side) * cells_per_unit_;
       const glm::ivec3 cell(at);
       const glm::vec3 t = at - glm::vec3(cell);
-      const int row = cells_ + 1;
-      const float* node =
-          &concave_[static_cast<std::size_t>((cell.z * row + cell.y) * row + cell.x)];
+      const std::ptrdiff_t row = cells_ + 1;
+      const float* node = concave_.data() + (cell.z * row + cell.y) * row + cell.x;
       const auto along_x = [&t](const float* from) { return from[0] + (from[1] - from[0]) * t.x; };
       const auto along_y = [&](const float* from) {
         const float first = along_x(from);
@@ -75,7 +75,7 @@ class DistanceBounds {
       const float first = along_y(node);
       const float concave = first + (along_y(node + row * row) - first) * t.z;
       return {concave + glm::dot(query, query),
-              gap_[static_cast<std::size_t>((cell.z * cells_ + cell.y) * cells_ + cell.x)]};
+              gap_.data()[(cell.z * (row - 1) + cell.y) * (row - 1) + cell.x]};
     }
 
     float half_side;

@@ -68,12 +68,10 @@ struct alignas(32) Packet {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcIntersect8(valid.data(), scene, &rays, &arguments);
 #else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect8(valid.data(), scene, &context, &rays);
 #endif
   }
@@ -82,12 +80,10 @@ struct alignas(32) Packet {
 #if RTC_VERSION_MAJOR >= 4
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcOccluded8(valid.data(), scene, &rays.ray, &arguments);
 #else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded8(valid.data(), scene, &context, &rays.ray);
 #endif
   }

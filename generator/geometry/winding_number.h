@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "geometry/mesh.h"
 
@@ -14,39 +14,22 @@ double winding_number(const Mesh& mesh, const dvec3& point);
 
 /// The same by a hierarchy: far clusters of triangles count as one dipole with its first moments
 /// (Barill, Dickson, Schmidt, Levin and Jacobson 2018, eq. 6 to 13). The error is below 0.04 for
-/// everyday meshes. Build O(n log n), query O(log n).
+/// everyday meshes. Near triangles are summed in double, clusters in float about the mesh's centre.
+/// Build O(n log n), query O(log n).
 class WindingNumber {
  public:
   explicit WindingNumber(const Mesh& mesh);
+  ~WindingNumber();
+  WindingNumber(WindingNumber&&) noexcept;
+  WindingNumber& operator=(WindingNumber&&) noexcept;
 
   [[nodiscard]] double at(const dvec3& point) const;
   /// By Jacobson's threshold of one half, which also closes open meshes.
   [[nodiscard]] bool inside(const dvec3& point) const { return at(point) > 0.5; }
 
  private:
-  struct Triangle {
-    dvec3 a, b, c;
-  };
-  struct Cluster {
-    dvec3 center{0.0};
-    /// Sum of the triangles' area vectors.
-    dvec3 dipole{0.0};
-    /// Symmetric part of Σ (centroid - center) ⊗ area vector: xx, yy, zz, then 2xy, 2yz, 2zx.
-    dvec3 moment_diagonal{0.0};
-    dvec3 moment_mixed{0.0};
-    /// Farther away than this the cluster stands for its triangles.
-    double far_distance_squared = 0.0;
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-    /// The first child comes right behind; 0: a leaf.
-    std::uint32_t second_child = 0;
-  };
-
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-  void summarise(Cluster& cluster) const;
-
-  std::vector<Triangle> triangles_;
-  std::vector<Cluster> clusters_;
+  class Hierarchy;
+  std::unique_ptr<Hierarchy> hierarchy_;
 };
 
 }  // namespace collage

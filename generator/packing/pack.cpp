@@ -54,7 +54,9 @@ class Packer {
   }
   [[nodiscard]] double threshold() const { return options_.threshold * longest_side_; }
 
+  static bool is_serial() { return tbb::this_task_arena::max_concurrency() == 1; }
   bool find_largest_hole(Filling& filling);
+  void make_largest_exact();
   double largest_clearance();
   void find_holes();
   void fill_holes();
@@ -68,6 +70,7 @@ class Packer {
   Surfaces surfaces_;
 
   std::array<Filling, 64> fillings_;
+  std::array<ClearanceField::Peak, 32> peaks_;
   std::size_t count_ = 0;
   double first_room_ = 0.0;
   std::size_t reported_ = 0;
@@ -111,9 +114,34 @@ bool Packer::find_largest_hole(Filling& filling) {
       filling.hole = {field_.sample_point(*peak), peak->upper, nearest.id()};
       return room(filling.hole) >= threshold();
     }
-    field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak, least));
+    make_largest_exact();
   }
   return false;
+}
+
+/// Finds the exact clearances of the next largest peaks at the same time. Some of them will change
+/// before their turn comes, which costs time but changes nothing.
+void Packer::make_largest_exact() {
+  const float least = placer_.least_clearance();
+  const std::size_t most = is_serial() ? 1 : peaks_.size();
+  std::size_t count = 0;
+  for (; count < most; ++count) {
+    const auto peak = field_.peak();
+    if (!peak || peak->upper < least) {
+      break;
+    }
+    peaks_[count] = *peak;
+    field_.set_block_maximum(peak->block, -1.0F);  // to come to the next
+  }
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    ClearanceField::Peak& peak = peaks_[i];
+    if (!field_.block(peak.block).nearest[peak.slot].is_exact()) {
+      peak.upper = make_exact(field_, surfaces_, peak, least);
+    }
+  });
+  for (std::size_t i = 0; i < count; ++i) {
+    field_.set_block_maximum(peaks_[i].block, peaks_[i].upper);
+  }
 }
 
 /// The clearance of the largest hole, however small.
@@ -129,7 +157,7 @@ double Packer::largest_clearance() {
 }
 
 void Packer::find_holes() {
-  const std::size_t most = tbb::this_task_arena::max_concurrency() == 1 ? 1 : fillings_.size();
+  const std::size_t most = is_serial() ? 1 : fillings_.size();
   for (count_ = 0; count_ < most; ++count_) {
     Filling& next = fillings_[count_];
     if (!find_largest_hole(next)) {

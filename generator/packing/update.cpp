@@ -76,8 +76,9 @@ std::size_t BlockUpdate::run(Update::Maximum& result, std::vector<Update::Voxel>
     squared_x[static_cast<std::size_t>(x)] = away * away;
   }
   for (int yz = 0; yz < VoxelGrid::block_side * VoxelGrid::block_side; ++yz) {
+    const int layer = yz / VoxelGrid::block_side;
     const float y = first.y + static_cast<float>(yz % VoxelGrid::block_side) * side;
-    const float z = first.z + static_cast<float>(yz / VoxelGrid::block_side) * side;
+    const float z = first.z + static_cast<float>(layer) * side;
     const float squared_yz = y * y + z * z;
     if (squared_yz >= reach * reach) {
       continue;
@@ -236,7 +237,9 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   } else if (nearest.id() == several_surfaces) {
     found.clearance = upper;
     field.for_each_neighbour(peak.block, consider);
-    consider(target_surface);
+    if (field.least_target_clearance(peak.block) <= found.clearance) {
+      consider(target_surface);
+    }
   } else {
     found.clearance = upper;
     consider(nearest.id());

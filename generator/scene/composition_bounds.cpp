@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -26,21 +27,30 @@ Corners corners_of(const Box& box) {
 }
 
 /// Vertices that triangles use.
-template <class Visit>
-void for_each_vertex(const Mesh& mesh, Visit visit) {
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      visit(mesh.corner(t, k));
+std::vector<dvec3> used_vertices(const Mesh& mesh) {
+  std::vector<bool> is_used(mesh.positions.size());
+  for (const uvec3& triangle : mesh.triangles) {
+    is_used[triangle.x] = is_used[triangle.y] = is_used[triangle.z] = true;
+  }
+  std::vector<dvec3> used;
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i]) {
+      used.push_back(mesh.positions[i]);
     }
   }
+  return used;
 }
 
 /// Where each instance is, for bounds_of() to look at few of them closely.
 class Places {
  public:
   explicit Places(const Composition& composition) : composition_(composition) {
+    for (const Composition::Element& prop : composition.props) {
+      of_props_.push_back(used_vertices(prop.mesh));
+    }
     std::vector<Ball> of_element;
     for (const Composition::Element& element : composition.elements) {
+      vertices_.push_back(used_vertices(element.mesh));
       const Box box = bounding_box(element.mesh);
       corners_.push_back(corners_of(box));
       of_element.push_back({box.center(), 0.5 * glm::length(box.extent())});
@@ -61,10 +71,13 @@ class Places {
   /// others' vertices cannot matter.
   template <class StandsOut, class Visit>
   void for_each_outstanding_vertex(StandsOut stands_out, Visit visit) const {
-    for (const Composition::Element& prop : composition_.props) {
-      for_each_vertex(prop.mesh, visit);
+    for (const std::vector<dvec3>& prop : of_props_) {
+      std::ranges::for_each(prop, visit);
     }
     for (const std::uint32_t i : order_) {
+      if (!stands_out(middle_, reach_[i])) {
+        break;  // this one and all that come after it lie within that ball
+      }
       if (!stands_out(balls_[i].center, balls_[i].radius)) {
         continue;
       }
@@ -72,8 +85,9 @@ class Places {
       if (std::ranges::any_of(corners_[instance.element], [&](const dvec3& corner) {
             return stands_out(instance.world_from_element(corner), 0.0);
           })) {
-        for_each_vertex(composition_.elements[instance.element].mesh,
-                        [&](const dvec3& vertex) { visit(instance.world_from_element(vertex)); });
+        for (const dvec3& vertex : vertices_[instance.element]) {
+          visit(instance.world_from_element(vertex));
+        }
       }
     }
   }
@@ -91,18 +105,25 @@ class Places {
     for (const Ball& ball : balls_) {
       centers.include(ball.center);
     }
-    std::vector<double> reach;
+    middle_ = centers.center();
+    reach_.reserve(balls_.size());
     for (const Ball& ball : balls_) {
-      reach.push_back(glm::distance(ball.center, centers.center()) + ball.radius);
+      reach_.push_back((glm::distance(ball.center, middle_) + ball.radius) * (1.0 + 1e-12));
     }
     order_.resize(balls_.size());
     std::iota(order_.begin(), order_.end(), 0U);
-    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach[i]; });
+    std::ranges::stable_sort(order_, std::greater<>(), [&](std::uint32_t i) { return reach_[i]; });
   }
 
   const Composition& composition_;
+  std::vector<std::vector<dvec3>> of_props_;
+  /// Of each element.
+  std::vector<std::vector<dvec3>> vertices_;
   std::vector<Corners> corners_;
   std::vector<Ball> balls_;
+  dvec3 middle_{0.0};
+  /// How far each ball reaches from the middle, and all with the farthest first.
+  std::vector<double> reach_;
   std::vector<std::uint32_t> order_;
 };
 
@@ -121,13 +142,11 @@ Box box_of_shown(const Composition& composition, const Places& places) {
   return shows_nothing(composition) ? composition.target_box : box;
 }
 
-double radius_round(const dvec3& axis, const Composition& composition, const Places& places) {
+double radius_round(const dvec3& axis, std::span<const dvec3> target, const Places& places) {
   const auto distance = [&](const dvec3& p) { return std::hypot(p.x - axis.x, p.z - axis.z); };
   double radius = 0.0;
   const auto include = [&](const dvec3& p) { radius = std::max(radius, distance(p)); };
-  if (composition.target != nullptr) {
-    for_each_vertex(*composition.target, include);
-  }
+  std::ranges::for_each(target, include);
   places.for_each_outstanding_vertex(
       [&](const dvec3& p, double within) { return distance(p) + within > radius; }, include);
   return radius;
@@ -178,7 +197,9 @@ CompositionBounds bounds_of(const Composition& composition) {
     both.include(composition.target_box.min);
     both.include(composition.target_box.max);
   }
-  bounds.radius = radius_round(both.center(), composition, places);
+  const std::vector<dvec3> target =
+      composition.target != nullptr ? used_vertices(*composition.target) : std::vector<dvec3>();
+  bounds.radius = radius_round(both.center(), target, places);
   const Corners corners = corners_of(composition.target_box);
   bounds.outline = {corners.begin(), corners.end()};
   bounds.target_outline = bounds.outline;
@@ -189,7 +210,7 @@ CompositionBounds bounds_of(const Composition& composition) {
   }
   if (composition.target != nullptr) {
     bounds.target_outline =
-        outline_of([&](auto, auto visit) { for_each_vertex(*composition.target, visit); });
+        outline_of([&](auto, auto visit) { std::ranges::for_each(target, visit); });
   }
   return bounds;
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+#include <glm/glm.hpp>
+
+namespace collage {
+
+/// Four floats or two doubles at once, by vector instructions where the processor has them. The
+/// results of each are those of a scalar.
+using Four = float __attribute__((vector_size(16)));
+using Two = double __attribute__((vector_size(16)));
+inline constexpr std::size_t lanes = 4;
+/// Points: their x, y and z.
+template <class Numbers>
+using Points = std::array<Numbers, 3>;
+
+inline Four all_four(float x) { return Four{x, x, x, x}; }
+inline Points<Four> all_four(const glm::vec3& point) {
+  return {all_four(point.x), all_four(point.y), all_four(point.z)};
+}
+inline Points<Two> both(const glm::dvec3& point) {
+  return {Two{point.x, point.x}, Two{point.y, point.y}, Two{point.z, point.z}};
+}
+inline Four larger(Four a, Four b) { return a > b ? a : b; }
+inline Four square_root(Four x) {
+  return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+}
+inline Two square_root(Two x) { return Two{std::sqrt(x[0]), std::sqrt(x[1])}; }
+inline float sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+inline std::size_t least_lane(Four x) {
+  const std::size_t low = x[1] < x[0] ? 1 : 0;
+  const std::size_t high = x[3] < x[2] ? 3 : 2;
+  return x[high] < x[low] ? high : low;
+}
+
+template <class Numbers>
+Points<Numbers> operator-(const Points<Numbers>& a, const Points<Numbers>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <class Numbers>
+Numbers dot(const Points<Numbers>& a, const Points<Numbers>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class Numbers>
+Points<Numbers> cross(const Points<Numbers>& a, const Points<Numbers>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class Numbers>
+void set_lane(Points<Numbers>& points, std::size_t lane, const glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Numbers& numbers = points[static_cast<std::size_t>(axis)];
+    numbers[lane] = static_cast<std::remove_cvref_t<decltype(numbers[0])>>(point[axis]);
+  }
+}
+
+}  // namespace collage
