@@ -24,8 +24,8 @@ void request_stop(int signal) {
   stop = true;
   struct sigaction by_default {};
   by_default.sa_handler = SIG_DFL;
-  for (const int signal : signals) {
-    sigaction(signal, &by_default, nullptr);
+  for (const int each : signals) {
+    sigaction(each, &by_default, nullptr);
   }
 }
 

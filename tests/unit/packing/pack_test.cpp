@@ -256,11 +256,14 @@ TEST(Pack, IsTheSameAsItsExactTwinToTheLastBitWhateverTheNumberOfThreads) {
 }
 
 TEST(Pack, EndsWithWhatIsPlacedWhenAskedTo) {
-  const Packing whole = run(Case()).packing;
+  Case setup;
+  setup.options.scaling = Scaling::to_hole;
+  setup.options.threshold = 0.03;
+  const Packing whole = run(setup).packing;
   EXPECT_TRUE(whole.complete);
   for (const int threads : {1, 2}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    const Packing part = run(Case(), test::FinishingStatus(1)).packing;
+    const Packing part = run(setup, test::FinishingStatus(1)).packing;
     EXPECT_FALSE(part.complete);
     ASSERT_FALSE(part.instances.empty());
     ASSERT_LT(part.instances.size(), whole.instances.size());
