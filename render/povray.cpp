@@ -7,6 +7,8 @@
 #include <optional>
 #include <regex>
 
+#include "render/sandbox.h"
+
 namespace collage {
 namespace {
 
@@ -71,6 +73,12 @@ std::optional<Failure> failure_in(std::string_view fatal_text) {
   return failure;
 }
 
+std::optional<fs::path> find_bwrap(const CommandRunner& runner) {
+  const char* wanted = std::getenv("COLLAGE_SANDBOX");
+  const bool unwanted = wanted != nullptr && std::string_view(wanted) == "no";
+  return unwanted ? std::nullopt : runner.find("bwrap");
+}
+
 Error killed(int signal) {
   if (signal == SIGKILL) {
     return Error::outside_program(
@@ -91,8 +99,16 @@ Povray find_povray(CommandRunner& runner, const Status& status) {
         name == "povray" ? "POV-Ray is not installed" : "there is no POV-Ray at " + name,
         name == "povray" ? install_remedy : "check COLLAGE_POVRAY");
   }
-  const CommandResult result =
-      run_command(runner, {.program = *program, .arguments = {"--version"}}, status);
+  const Command ask{.program = *program, .arguments = {"--version"}};
+  std::optional<fs::path> sandbox = find_bwrap(runner);
+  CommandResult result{};
+  if (sandbox) {
+    result = run_command(runner, sandboxed(*sandbox, ask), status);
+  }
+  if (!sandbox || result.exit_code != 0) {  // containers often forbid what bubblewrap does
+    sandbox.reset();
+    result = run_command(runner, ask, status);
+  }
   static const std::regex pattern(R"(^POV-Ray (([0-9]{1,4})\.([0-9]{1,4})[^ ]*))");
   for (const std::string& line : result.lines) {
     std::smatch match;
@@ -104,7 +120,7 @@ Povray find_povray(CommandRunner& runner, const Status& status) {
           "POV-Ray 3.7 or newer is needed; " + program->string() + " is " + match[1].str(),
           install_remedy);
     }
-    return {*program, match[1]};
+    return {*program, match[1], sandbox};
   }
   throw Error::outside_program(program->string() + " does not say which version of POV-Ray it is",
                                install_remedy);

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,11 +17,13 @@ struct Povray {
   std::filesystem::path program;
   /// As it says it: "3.7.0.10.unofficial".
   std::string version;
+  /// Bubblewrap, for it to run in; none where that is missing or does not work here.
+  std::optional<std::filesystem::path> sandbox{};
 };
 
-/// The POV-Ray named by the environment variable COLLAGE_POVRAY, else the one on PATH. Throws Error
-/// (outside program) where there is none, it does not run, or it is older than 3.7. Takes a quarter
-/// of a second.
+/// The POV-Ray named by the environment variable COLLAGE_POVRAY, else the one on PATH, in a sandbox
+/// unless COLLAGE_SANDBOX is "no". Throws Error (outside program) where there is none, it does not
+/// run, or it is older than 3.7. Takes a quarter of a second.
 Povray find_povray(CommandRunner& runner, const Status& status);
 
 /// Understands what a running POV-Ray 3.7 writes to its console.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -24,6 +25,9 @@ struct Command {
   std::filesystem::path folder{};
   /// Changes to our environment; nullopt: the variable is not set.
   std::vector<std::pair<std::string, std::optional<std::string>>> environment{};
+  /// At most so much address space and so much computing, over all its threads; none: as ours.
+  std::optional<std::uint64_t> memory_bytes{};
+  std::optional<std::uint64_t> cpu_seconds{};
 };
 
 /// Runs programs, several at once, from one thread. An interface, so that tests can do without.

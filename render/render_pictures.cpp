@@ -7,15 +7,21 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/memory.h"
 #include "base/stage.h"
 #include "render/picture_file.h"
 #include "render/picture_key.h"
+#include "render/sandbox.h"
 #include "render/scratch.h"
 
 namespace collage {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A day of computing a thread, and never so little memory that POV-Ray does not start.
+constexpr std::uint64_t most_seconds = 86400;
+constexpr std::uint64_t least_memory = std::uint64_t{1} << 30;
 
 /// A POV-Ray at work on one picture.
 struct Run {
@@ -29,18 +35,27 @@ struct Run {
   CommandRunner::Id id = 0;
 };
 
+/// What one POV-Ray may take of the machine.
+struct Share {
+  int threads;
+  std::uint64_t memory_bytes;
+};
+
 Command povray_command(const RenderTools& tools, const fs::path& folder, const Run& run,
-                       int threads) {
+                       const Share& share) {
   std::vector<std::string> arguments = {
       "+I" + run.files.name(".pov"), "+O" + run.files.name(extension(run.job.shot.format)),
-      "+GF" + run.files.name(".fatal"), "+WT" + std::to_string(threads)};
+      "+GF" + run.files.name(".fatal"), "+WT" + std::to_string(share.threads)};
   const std::vector<std::string> options = povray_options(run.job.shot);
   arguments.insert(arguments.end(), options.begin(), options.end());
   // POVINI could change any option that we leave at its default.
-  return {.program = tools.povray.program,
-          .arguments = std::move(arguments),
-          .folder = folder,
-          .environment = {{"POVINI", std::nullopt}, {"LC_ALL", "C"}}};
+  Command command{.program = tools.povray.program,
+                  .arguments = std::move(arguments),
+                  .folder = folder,
+                  .environment = {{"POVINI", std::nullopt}, {"LC_ALL", "C"}},
+                  .memory_bytes = share.memory_bytes,
+                  .cpu_seconds = most_seconds * static_cast<std::uint64_t>(share.threads)};
+  return tools.povray.sandbox ? sandboxed(*tools.povray.sandbox, command) : command;
 }
 
 std::string text_or_nothing(const fs::path& path) {
@@ -80,12 +95,14 @@ class Batch {
   void render(const std::vector<Task>& tasks) {
     const bool alone = tasks.size() == 1 || tools_.threads == 1;
     const int at_once = alone ? 1 : tools_.threads + 1;  // each idles when it comes and goes
-    const int threads = tasks.size() == 1 ? tools_.threads : 1;
+    const Share share{.threads = tasks.size() == 1 ? tools_.threads : 1,
+                      .memory_bytes = std::max(
+                          memory_to_take() / static_cast<std::uint64_t>(at_once), least_memory)};
     done_ = total_ - tasks.size();
     auto next = tasks.begin();
     while (next != tasks.end() || !runs_.empty()) {
       while (next != tasks.end() && static_cast<int>(runs_.size()) < at_once) {
-        start(*next++, threads);
+        start(*next++, share);
       }
       report();
       if (const auto finished = wait_or_stop(tools_.runner, tools_.status)) {
@@ -95,12 +112,12 @@ class Batch {
   }
 
  private:
-  void start(const Task& task, int threads) {
+  void start(const Task& task, const Share& share) {
     Run& run = runs_.emplace_back(folder_, *task.job, task.key);
     const Shot& shot = task.job->shot;
     write_file(run.files.path(".pov"),
                (tools_.prologue ? tools_.prologue(folder_, shot) : "") + job_text(shot));
-    run.id = tools_.runner.start(povray_command(tools_, folder_, run, threads),
+    run.id = tools_.runner.start(povray_command(tools_, folder_, run, share),
                                  [&run](std::string_view line) { run.console.read_line(line); });
   }
 

@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,10 +57,21 @@ struct Launch {
   char* const* arguments;
   char* const* environment;
   const char* folder;  // nullptr: ours
+  rlim_t memory;
+  rlim_t seconds;
   pid_t parent;
   int output;
   int report;  // where the reason of a failure goes; closed by a successful exec
 };
+
+/// Lowers a limit; one that is lower already stays.
+void limit(decltype(RLIMIT_AS) resource, rlim_t value) {
+  rlimit now{};
+  if (::getrlimit(resource, &now) == 0) {
+    now.rlim_cur = std::min(now.rlim_cur, value);
+    ::setrlimit(resource, &now);
+  }
+}
 
 /// In the new process, between fork() and exec: system calls only.
 [[noreturn]] void become(const Launch& launch) {
@@ -71,6 +83,9 @@ struct Launch {
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) {
     ::signal(number, SIG_DFL);
   }
+  limit(RLIMIT_AS, launch.memory);
+  limit(RLIMIT_CPU, launch.seconds);
+  limit(RLIMIT_CORE, 0);
   const int empty = ::open("/dev/null", O_RDONLY);
   const bool ready = ::getppid() == launch.parent && ::dup2(empty, STDIN_FILENO) >= 0 &&
                      ::dup2(launch.output, STDOUT_FILENO) >= 0 &&
@@ -117,6 +132,8 @@ pid_t spawn(const Command& command, const fs::path& program, const Descriptor& o
                       .arguments = argument_pointers.data(),
                       .environment = environment_pointers.data(),
                       .folder = command.folder.empty() ? nullptr : command.folder.c_str(),
+                      .memory = command.memory_bytes.value_or(RLIM_INFINITY),
+                      .seconds = command.cpu_seconds.value_or(RLIM_INFINITY),
                       .parent = ::getpid(),
                       .output = output.get(),
                       .report = report.write_end.get()};

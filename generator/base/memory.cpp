@@ -1,6 +1,8 @@
 #include "base/memory.h"
 
 #include <algorithm>
+#include <atomic>
+#include <charconv>
 #include <fstream>
 #include <limits>
 
@@ -15,6 +17,8 @@ namespace collage {
 namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
+std::atomic<std::uint64_t> chosen_limit{0};  // 0: none
 
 std::uint64_t memory_of_machine() {
   std::ifstream meminfo("/proc/meminfo");
@@ -52,13 +56,33 @@ std::uint64_t available_memory() {
   return std::min({memory_of_machine(), rest_of_address_space(), limit_of_container()});
 }
 
+std::uint64_t memory_to_take() {
+  const std::uint64_t chosen = chosen_limit;
+  return chosen > 0 ? chosen : available_memory() / 5 * 4;
+}
+
+void limit_memory(std::uint64_t bytes) { chosen_limit = bytes; }
+
+std::uint64_t parse_memory(const std::string& text) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  const std::string_view unit(result.ptr, static_cast<std::size_t>(end - result.ptr));
+  const double factor = unit.empty() ? 1.0 : unit == "M" ? 1e6 : unit == "G" ? 1e9 : 0.0;
+  const double bytes = number * factor;
+  if (result.ec != std::errc() || !(bytes >= 1e6 && bytes <= 1e15)) {
+    throw Error("'" + text + "' is not an amount of memory", "write it as 500M or 2.5G");
+  }
+  return static_cast<std::uint64_t>(bytes);
+}
+
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& option) {
-  const auto limit = static_cast<double>(available_memory()) * 0.8;
+  const auto limit = static_cast<double>(memory_to_take());
   const auto needed = static_cast<double>(bytes);
   if (needed > limit) {
-    throw Error(fmt::format("{} would take {:.1f} GB of memory and {:.1f} GB can be had", what,
+    throw Error(fmt::format("{} would take {:.1f} GB of memory and {:.1f} GB may be taken", what,
                             needed / 1e9, limit / 1e9),
-                "lower " + option);
+                "lower " + option + ", or raise --memory-limit");
   }
 }
 

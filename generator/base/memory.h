@@ -10,8 +10,17 @@ namespace collage {
 /// (`ulimit -v`) and its container; a generous guess where the system does not say.
 std::uint64_t available_memory();
 
-/// Throws Error where `bytes` for `what` are over 80 % of the available memory; the remedy names
-/// the option to lower.
+/// What may be taken: 80 % of the available memory, or what limit_memory() says.
+std::uint64_t memory_to_take();
+
+/// Sets that for the whole process; 0: as without.
+void limit_memory(std::uint64_t bytes);
+
+/// "500M", "2.5G" or a plain number of bytes. Throws Error for anything else.
+std::uint64_t parse_memory(const std::string& text);
+
+/// Throws Error where `bytes` for `what` are more than may be taken; the remedy names the option to
+/// lower.
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& option);
 
 }  // namespace collage

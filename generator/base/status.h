@@ -5,7 +5,7 @@
 namespace collage {
 
 /// What the library tells whoever watches: the terminal, a test, nobody. The library itself never
-/// prints. All calls come from the thread that started the work.
+/// prints. All calls but finish_requested() come from the thread that started the work.
 class Status {
  public:
   virtual ~Status() = default;
@@ -22,6 +22,9 @@ class Status {
   virtual void note(std::string_view line) { (void)line; }
   /// True once the user wants to stop; long work then throws Interrupted.
   [[nodiscard]] virtual bool stop_requested() const { return false; }
+  /// True once work that can end early with a result of use should; what it has then is whole. From
+  /// any thread.
+  [[nodiscard]] virtual bool finish_requested() const { return false; }
 };
 
 }  // namespace collage

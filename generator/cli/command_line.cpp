@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "cli/commands.h"
 #include "cli/stop_signals.h"
 #include "cli/terminal.h"
@@ -20,7 +21,7 @@
 namespace collage {
 namespace {
 
-enum ExitCode { success = 0, bad_input = 2, outside_program_failed = 3, interrupted = 130 };
+enum ExitCode { success = 0, bad_input = 2, outside_program_failed = 3 };
 
 /// "640x480".
 std::array<int, 2> parse_size(const std::string& text) {
@@ -138,6 +139,8 @@ void CommandLine::add_draft(CLI::App* command, Pictures& pictures) {
 void CommandLine::add_common(CLI::App* command) {
   command->add_option("--threads", common_.threads, "How many to use; all by default")
       ->check(CLI::Range(1, 1024));
+  command->add_option("--memory-limit", common_.memory_limit,
+                      "How much to take, as 500M or 2.5G; 80 % of what is free by default");
   command->add_flag_callback(
       "--quiet", [this] { common_.verbosity = TerminalStyle::Verbosity::quiet; },
       "Say nothing but errors");
@@ -177,6 +180,10 @@ CLI::App* CommandLine::add_scene_command(const char* name, const char* help,
       ->required();
   command->add_option("-o,--output", scene_.folder, "Folder to write to; out/<scene> by default");
   add_scene_options(command, scene_);
+  command
+      ->add_option("--time-limit", scene_.time_limit_seconds,
+                   "Seconds after which packing ends with what is placed")
+      ->check(CLI::Range(0.001, 1e7));
   add_common(command);
   add_json(command);
   command->callback([this, runner] {
@@ -409,6 +416,9 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
 int CommandLine::run(Terminal& terminal) const {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(thread_count(common_)));
+  if (!common_.memory_limit.empty()) {
+    limit_memory(parse_memory(common_.memory_limit));
+  }
   const int code = run_(terminal);
   if (std::fflush(stdout) != 0) {
     throw Error("the result cannot be written to standard output", "check where it goes");

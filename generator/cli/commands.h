@@ -18,6 +18,8 @@ namespace collage {
 
 /// Exit code of a command that answers a question with "no".
 inline constexpr int answer_no = 1;
+/// The user stopped it; what there is of a result is whole.
+inline constexpr int interrupted = 130;
 
 struct CommonArguments {
   enum class Output { text, json };
@@ -25,6 +27,8 @@ struct CommonArguments {
   TerminalStyle::Verbosity verbosity = TerminalStyle::Verbosity::normal;
   /// 0: as many as the machine has.
   int threads = 0;
+  /// As parse_memory() reads it; empty: as memory_to_take().
+  std::string memory_limit{};
 };
 
 /// Those asked for, else as many as the machine has.
@@ -43,6 +47,8 @@ struct SceneArguments {
   std::string seed;
   /// Of `make`: who makes the pictures.
   Pictures pictures = Pictures::povray;
+  /// Packing ends after so many seconds.
+  std::optional<double> time_limit_seconds{};
 };
 int run_make(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);
 int run_pack(const SceneArguments& arguments, const CommonArguments& common, Terminal& terminal);

@@ -3,7 +3,6 @@
 #include "base/file.h"
 #include "base/stopwatch.h"
 #include "cli/outline.h"
-#include "cli/pack_scene.h"
 #include "cli/render_outputs.h"
 #include "cli/sculpture_page.h"
 
@@ -20,9 +19,10 @@ FolderAudit audit_and_note(const std::filesystem::path& folder, const FinishedFo
 }
 
 MadeScene make_scene(const Scene& scene, const std::string& command,
-                     const std::filesystem::path& folder, const RenderTools& tools) {
+                     const std::filesystem::path& folder, const RenderTools& tools,
+                     const PackingEnd& end) {
   MadeScene made;
-  made.report = pack_scene(scene, command, folder, tools.status);
+  made.report = pack_scene(scene, command, folder, tools.status, end);
   const FinishedFolder finished = read_finished_folder(folder, tools.status);
   made.audit = audit_and_note(folder, finished, tools.status);
   if (made.audit.passed()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,8 +14,10 @@
 #include "base/stage.h"
 #include "base/staging.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "cli/data_folder.h"
 #include "cli/prepare_packing.h"
+#include "cli/stop_signals.h"
 #include "cli/version.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
@@ -107,6 +110,44 @@ PackingInput Workshop::packing_input() const {
   }
   return input;
 }
+
+/// Asks the packing to finish when its time has come or Ctrl-C was pressed.
+class EarlyEnd : public Status {
+ public:
+  EarlyEnd(Status& whole, const PackingEnd& end) : whole_(whole), end_(end) {}
+
+  void begin(std::string_view stage) override { whole_.begin(stage); }
+  void update(double fraction, std::string_view detail) override {
+    whole_.update(fraction, std::string(detail) + (offer_ ? ", Ctrl-C ends with these" : ""));
+  }
+  void end() override { whole_.end(); }
+  void note(std::string_view line) override { whole_.note(line); }
+  [[nodiscard]] bool stop_requested() const override { return whole_.stop_requested(); }
+  [[nodiscard]] bool finish_requested() const override {
+    return is_interrupted() || (end_.seconds && watch_.seconds() >= *end_.seconds);
+  }
+
+  /// Until it is withdrawn, Ctrl-C asks to finish, where that is wanted.
+  void offer() {
+    if (end_.on_interrupt == PackingEnd::OnInterrupt::finish) {
+      offer_.emplace();
+    }
+  }
+  void withdraw() { offer_.reset(); }
+
+  /// For people and for sculpture.json.
+  [[nodiscard]] std::string reason() const { return is_interrupted() ? "Ctrl-C" : "time limit"; }
+
+ private:
+  [[nodiscard]] bool is_interrupted() const {
+    return end_.on_interrupt == PackingEnd::OnInterrupt::finish && StopSignals::finish_requested();
+  }
+
+  Status& whole_;
+  const PackingEnd& end_;
+  Stopwatch watch_;
+  std::optional<FinishOffer> offer_;
+};
 
 /// An empty sculpture is a mistake in the scene; says which.
 [[noreturn]] void throw_nothing_fits(const Scene& scene, const Workshop& workshop,
@@ -227,12 +268,13 @@ Report summarise(const Scene& scene, const Workshop& workshop, const Packing& pa
 }  // namespace
 
 Report pack_scene(const Scene& scene, const std::string& command, const fs::path& folder,
-                  Status& status) {
+                  Status& status, const PackingEnd& end) {
+  EarlyEnd early(status, end);
   { const FileWriter probe(folder / "sculpture.json"); }  // an unwritable folder is said now
   Stopwatch preparing;
   status.begin("preparing");
   const Workshop workshop(scene, status);
-  const auto run_packing = prepare_packing(scene, workshop.packing_input(), status);
+  const auto run_packing = prepare_packing(scene, workshop.packing_input(), early);
   status.end();
   const double prepare_seconds = preparing.seconds();
 
@@ -240,8 +282,17 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
     status.note("distances are measured to vertices only: instances overlap");
   }
   status.begin("packing");
-  const Packing packing = run_packing(status);
+  early.offer();
+  const Packing packing = run_packing(early);
+  early.withdraw();
   status.end();
+  std::optional<std::string> stopped;
+  if (!packing.complete) {
+    stopped = early.reason();
+    status.note("ended by " + *stopped + " with " + grouped(packing.instances.size()) +
+                " instances; going on with these" +
+                (*stopped == "Ctrl-C" ? ", until Ctrl-C is pressed again" : ""));
+  }
   if (packing.instances.empty()) {
     throw_nothing_fits(scene, workshop, packing);
   }
@@ -252,9 +303,12 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
   copy_templates(scene, staging.folder());
   write_povray(staging.folder(), compose(scene, workshop, packing.instances),
                fs::path(scene.render.look).stem().string(), status);
-  write_sculpture(staging.folder() / "sculpture.json",
-                  describe(scene, command, workshop, packing.instances, staging.folder(), status));
+  Sculpture sculpture =
+      describe(scene, command, workshop, packing.instances, staging.folder(), status);
+  sculpture.stopped = stopped;
+  write_sculpture(staging.folder() / "sculpture.json", sculpture);
   Report report = summarise(scene, workshop, packing);
+  report.stopped = stopped;
   report.seconds.prepare = prepare_seconds;
   report.seconds.write = writing.seconds();
   write_report(staging.folder() / "report.json", report);

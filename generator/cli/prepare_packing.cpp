@@ -1,11 +1,13 @@
 #include "cli/prepare_packing.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "fitting/pack_by_shape.h"
 #include "fitting/shape_cache.h"
 
@@ -24,6 +26,7 @@ struct ShapeWorkshop {
 
   std::unique_ptr<CollisionShape> surface;
   std::vector<std::unique_ptr<ShapedElement>> shapes;
+  /// Those of the elements that were measured before it was asked to finish, one at least.
   std::vector<ShapeIngredient> ingredients;
   FreeSpace space;
 };
@@ -47,6 +50,13 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
     if (status.stop_requested()) {
       throw Interrupted();
     }
+    if (e > 0 && status.finish_requested()) {
+      status.note(
+          fmt::format("the last {} of {} elements are left out: there was no time to measure "
+                      "their shapes",
+                      input.meshes.size() - e, input.meshes.size()));
+      break;
+    }
     status.update(static_cast<double>(e) / static_cast<double>(input.meshes.size()),
                   scene.elements[e].name());
     const Element& element = input.ingredients[e].element;
@@ -54,7 +64,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
     shapes.push_back(std::make_unique<ShapedElement>(
         *input.meshes[e], element, cached_shape(*input.meshes[e], element, cache)));
   }
-  for (std::size_t e = 0; e < input.ingredients.size(); ++e) {
+  for (std::size_t e = 0; e < shape_of.size(); ++e) {
     const Ingredient& ingredient = input.ingredients[e];
     ingredients.push_back({*shapes[shape_of[e]], ingredient.scales, ingredient.weight});
   }
@@ -83,17 +93,77 @@ void refuse_stretches(const Scene& scene) {
   }
 }
 
+/// An upper bound, mostly within a factor of two, of what packing takes, in bytes. What an instance
+/// takes is little beside the voxels at its place.
+class MemoryEstimate {
+ public:
+  MemoryEstimate(const Scene& scene, const PackingInput& input)
+      : target_(input.target), by_sphere_(scene.packing.fit == Fit::sphere) {
+    fixed_ += bytes_a_triangle * input.target_mesh.triangles.size();
+    for (auto mesh = input.meshes.begin(); mesh != input.meshes.end(); ++mesh) {
+      const bool is_new = std::none_of(input.meshes.begin(), mesh, [&](const Mesh* other) {
+        return same_shape(*other, **mesh);
+      });
+      fixed_ += bytes_a_triangle * (*mesh)->triangles.size();
+      fixed_ += is_new && !by_sphere_ ? bytes_a_shape : 0;
+    }
+  }
+
+  [[nodiscard]] std::uint64_t bytes(int resolution) const {
+    const VoxelGrid grid = target_.voxels(resolution, 0.0, 0);
+    const std::uint64_t voxels = grid.block_count() * VoxelGrid::block_voxels;
+    return fixed_ + voxels * (by_sphere_ ? bytes_a_voxel : bytes_a_lattice_point);
+  }
+
+ private:
+  static constexpr std::uint64_t bytes_of_program = 150'000'000;  // most of it its libraries
+  static constexpr std::uint64_t bytes_a_shape = 20'000'000;      // covers, grid of distances
+  static constexpr std::uint64_t bytes_a_triangle = 700;          // positions and hierarchies
+  static constexpr std::uint64_t bytes_a_voxel = 16;  // 8, and what it takes to undo an update
+  static constexpr std::uint64_t bytes_a_lattice_point = 12;  // 8, and blocks with their residents
+
+  const Target& target_;
+  bool by_sphere_;
+  std::uint64_t fixed_ = bytes_of_program;
+};
+
+/// Throws Error, with the resolution that would do, before memory is taken.
+void require_memory_for(const Scene& scene, const PackingInput& input) {
+  if (input.target_mesh.triangles.empty()) {
+    return;  // the voxels are the file's own
+  }
+  const MemoryEstimate estimate(scene, input);
+  const std::uint64_t limit = memory_to_take();
+  const std::uint64_t needed = estimate.bytes(scene.target.resolution);
+  if (needed <= limit) {
+    return;
+  }
+  int fitting = scene.target.resolution;
+  while (fitting > 0 && estimate.bytes(fitting) > limit) {
+    fitting -= 1 + fitting / 100;
+  }
+  const std::string lower = fitting > 0 ? fmt::format("lower target.resolution to {}", fitting)
+                                        : "use meshes of fewer triangles";
+  throw Error({scene.file},
+              fmt::format("packing would take {:.2f} GB of memory and {:.2f} GB may be taken",
+                          static_cast<double>(needed) / 1e9, static_cast<double>(limit) / 1e9),
+              lower + ", or raise --memory-limit");
+}
+
 }  // namespace
 
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
   require_stretches(scene);
+  require_memory_for(scene, input);
   if (scene.packing.fit == Fit::shape) {
     refuse_stretches(scene);
     const auto workshop = std::make_shared<ShapeWorkshop>(scene, input, status);
     return [&scene, &target = input.target, workshop](Status& packing_status) {
-      return pack_by_shape({target, workshop->surface.get()}, workshop->space,
-                           workshop->ingredients, scene.packing, packing_status);
+      Packing packing = pack_by_shape({target, workshop->surface.get()}, workshop->space,
+                                      workshop->ingredients, scene.packing, packing_status);
+      packing.complete &= workshop->ingredients.size() == scene.elements.size();
+      return packing;
     };
   }
   const auto field = std::make_shared<ClearanceField>(

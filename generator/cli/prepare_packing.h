@@ -21,7 +21,9 @@ struct PackingInput {
 };
 
 /// Prepares all that packing takes, by sphere or by shape as the scene says, and gives the packing
-/// itself, to be run once. Throws as ClearanceField, FreeSpace, pack() and pack_by_shape() do.
+/// itself, to be run once. Where it is asked to finish before the shapes of all elements are
+/// measured it leaves the last ones out. Throws as ClearanceField, FreeSpace, pack() and
+/// pack_by_shape() do, and Error where it would take more than memory_to_take().
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status);
 

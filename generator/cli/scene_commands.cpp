@@ -57,9 +57,24 @@ struct Renderer {
   Renderer& operator=(const Renderer&) = delete;
 };
 
+PackingEnd end_of(const SceneArguments& arguments) {
+  return {arguments.time_limit_seconds, PackingEnd::OnInterrupt::finish};
+}
+
+int exit_code(const Report& report) { return report.stopped == "Ctrl-C" ? interrupted : 0; }
+
+void note_incomplete(const fs::path& folder, const Sculpture& sculpture, Terminal& terminal) {
+  if (sculpture.stopped) {
+    terminal.note(folder.string() + " is not complete: packing was ended early, by " +
+                  *sculpture.stopped);
+  }
+}
+
 /// The options of a finished folder, with what the command line says about pictures.
-Scene finished_scene(const PictureArguments& arguments) {
-  Scene scene = read_finished_sculpture(arguments.folder).options;
+Scene finished_scene(const PictureArguments& arguments, Terminal& terminal) {
+  const Sculpture sculpture = read_finished_sculpture(arguments.folder);
+  note_incomplete(arguments.folder, sculpture, terminal);
+  Scene scene = sculpture.options;
   for (const std::string& setting : arguments.settings) {
     set_option(scene, setting);
   }
@@ -100,7 +115,8 @@ int make_draft(const SceneArguments& arguments, const CommonArguments& common, T
   const Scene scene = read_scene_with(arguments);
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder, FolderLock::Kind::alone);
-  const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const Report report =
+      pack_scene(scene, command_text(arguments, scene), folder, terminal, end_of(arguments));
   const FinishedFolder finished = read_finished_folder(folder, terminal);
   const FolderAudit audit = audit_and_note(folder, finished, terminal);
   if (!audit.passed()) {
@@ -111,7 +127,7 @@ int make_draft(const SceneArguments& arguments, const CommonArguments& common, T
   const std::vector<fs::path> paths = draft_outputs(folder, finished, scene, runner, terminal);
   print_report(common, folder, report);
   print_paths(common, paths);
-  return 0;
+  return exit_code(report);
 }
 
 }  // namespace
@@ -125,14 +141,16 @@ int run_pack(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Scene scene = read_scene_with(arguments);
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder, FolderLock::Kind::alone);
-  const Report report = pack_scene(scene, command_text(arguments, scene), folder, terminal);
+  const Report report =
+      pack_scene(scene, command_text(arguments, scene), folder, terminal, end_of(arguments));
   print_report(common, folder, report);
   print_paths(common, {folder / "scene.pov", folder / "sculpture.json"});
-  return 0;
+  return exit_code(report);
 }
 
 int run_audit(const AuditArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);
+  note_incomplete(arguments.folder, finished.sculpture, terminal);
   const FolderAudit result = audit_and_note(arguments.folder, finished, terminal);
   if (!arguments.offenders.empty()) {
     write_offenders(arguments.folder, finished, result.audit, arguments.offenders, terminal);
@@ -151,7 +169,8 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   const Renderer renderer(common, terminal);  // a missing POV-Ray is said before the work
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder, FolderLock::Kind::alone);
-  const MadeScene made = make_scene(scene, command_text(arguments, scene), folder, renderer.tools);
+  const MadeScene made =
+      make_scene(scene, command_text(arguments, scene), folder, renderer.tools, end_of(arguments));
   if (!made.audit.passed()) {
     std::fputs(audit_text(made.audit).c_str(), stdout);
     return answer_no;
@@ -159,7 +178,7 @@ int run_make(const SceneArguments& arguments, const CommonArguments& common, Ter
   print_report(common, folder, made.report);
   print_paths(common, made.pictures);
   print_paths(common, {folder / "report.html"});
-  return 0;
+  return exit_code(made.report);
 }
 
 int run_gallery(const GalleryArguments& arguments, const CommonArguments& common,
@@ -179,7 +198,7 @@ int run_gallery(const GalleryArguments& arguments, const CommonArguments& common
 int run_still(const PictureArguments& arguments, const CommonArguments& common,
               Terminal& terminal) {
   const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
-  const Scene scene = finished_scene(arguments);
+  const Scene scene = finished_scene(arguments, terminal);
   require_element(arguments, scene);
   PictureFormat format = scene.render.exr ? PictureFormat::exr : PictureFormat::png;
   if (!arguments.output.empty()) {
@@ -210,7 +229,7 @@ int run_still(const PictureArguments& arguments, const CommonArguments& common,
 int run_turntable(const PictureArguments& arguments, const CommonArguments& common,
                   Terminal& terminal) {
   const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
-  const Scene scene = finished_scene(arguments);
+  const Scene scene = finished_scene(arguments, terminal);
   require_frames(arguments, scene);
   const Renderer renderer(common, terminal);
   render_turntable(renderer.tools, arguments.folder, turntable_of(scene));
@@ -223,7 +242,7 @@ int run_turntable(const PictureArguments& arguments, const CommonArguments& comm
 int run_render(const PictureArguments& arguments, const CommonArguments& common,
                Terminal& terminal) {
   const FolderLock lock(arguments.folder, FolderLock::Kind::shared);
-  const Scene scene = finished_scene(arguments);
+  const Scene scene = finished_scene(arguments, terminal);
   if (arguments.pictures == Pictures::preview) {
     SystemRunner runner;
     const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);

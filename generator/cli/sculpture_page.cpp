@@ -36,6 +36,9 @@ class PageWriter {
     page.title = scene_.name;
     page.lede = fmt::format("{} filled with {} of {}, biggest first.", target_name(),
                             grouped(report_.instances) + " copies", element_names());
+    if (report_.stopped) {
+      page.lede += " Not complete: packing was ended early, by " + *report_.stopped + ".";
+    }
     page.verdict = {audit_.passed() ? PageVerdict::Outcome::passed : PageVerdict::Outcome::failed,
                     verdict_sentence(audit_)};
     page.pictures = stills();

@@ -45,7 +45,7 @@ class ShapePacker {
   [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind,
                                                           const Pose& pose) const;
   bool is_ready(Vacancy& vacancy) { return fitter_.is_ready(vacancy, kinds_[vacancy.shape]); }
-  void open_batch(std::uint32_t kind);
+  void open_batch(std::uint32_t kind, const Status& status);
   void open(Vacancy& vacancy, std::uint64_t stream);
   void fill(Id id);
   void add_linked_vacancies(std::uint32_t host);
@@ -71,6 +71,7 @@ class ShapePacker {
   /// Of all that is placed, in cubes of radii.
   double volume_ = 0.0;
   double update_seconds_ = 0.0;
+  bool complete_ = true;
 };
 
 std::vector<double> quota_weights(std::span<const ShapeIngredient> ingredients, Choose choose) {
@@ -191,13 +192,15 @@ bool ShapePacker::keep_looking(Vacancy& vacancy) const {
   return true;
 }
 
-/// Opens the most promising places of a kind that have no pose, at once.
-void ShapePacker::open_batch(std::uint32_t k) {
+/// Opens the most promising places of a kind that have no pose, at once. Asked to finish, it opens
+/// one at a time until something is placed, and none after that.
+void ShapePacker::open_batch(std::uint32_t k, const Status& status) {
   constexpr double comparable = 0.6;
   std::array<Id, batch> opened{};
   std::size_t count = 0;
   const double first_key = queue_[*queue_.top(k)].key;
-  while (count < batch) {
+  const std::size_t most = status.finish_requested() ? 1 : batch;
+  while (count < most) {
     const auto id = queue_.top(k);
     if (!id || queue_[*id].key < comparable * first_key || is_ready(queue_[*id])) {
       break;
@@ -205,8 +208,11 @@ void ShapePacker::open_batch(std::uint32_t k) {
     queue_.pop(k);
     opened[count++] = *id;
   }
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t i) { open(queue_[opened[i]], openings_ + i); });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    if (placed_.size() == 0 || !status.finish_requested()) {
+      open(queue_[opened[i]], openings_ + i);
+    }
+  });
   openings_ += count;
   Kind& kind = kinds_[k];
   for (std::size_t i = 0; i < count; ++i) {
@@ -334,16 +340,20 @@ void ShapePacker::report(double key, Status& status) {
                 fmt::format("{} instances", grouped(placed_.size())));
 }
 
-/// Fills places until none is left.
+/// Fills places until none is left, or it is asked to finish.
 void ShapePacker::work_off(Status& status) {
   while (const auto kind = next_kind()) {
     const Id id = *queue_.top(*kind);
     first_key_ = std::max(first_key_, queue_[id].key);
     report(queue_[id].key, status);
+    if (placed_.size() > 0 && status.finish_requested()) {
+      complete_ = false;
+      return;
+    }
     if (is_ready(queue_[id])) {
       fill(id);
     } else {
-      open_batch(*kind);
+      open_batch(*kind, status);
     }
   }
 }
@@ -360,11 +370,12 @@ Packing ShapePacker::run(Status& status) {
     add_holes(space_.peaks(0.0F));
     const double before = volume_;
     work_off(status);
-    if (volume_ - before < worth_a_sweep * volume_) {
+    if (!complete_ || volume_ - before < worth_a_sweep * volume_) {
       break;
     }
   }
   Packing packing;
+  packing.complete = complete_;
   packing.instances = placed_.instances();
   packing.voxels = space_.distances().size();
   packing.voxels_inside_target = space_.points_inside_target();

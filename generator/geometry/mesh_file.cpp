@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "geometry/material_file.h"
 #include "geometry/obj_faces.h"
@@ -30,6 +31,12 @@ struct Triangle {
 };
 
 std::string read_text(const fs::path& path) {
+  constexpr std::uint64_t memory_a_byte = 16;  // of the lists that a text of short faces turns into
+  std::error_code unknown;  // a size that is not known is that of nothing to read
+  const std::uintmax_t size = fs::file_size(path, unknown);
+  if (!unknown && size <= limit_bytes) {
+    require_memory(memory_a_byte * size, path.string(), "its number of faces");
+  }
   std::string text = read_file(path, limit_bytes);
   if (text.find('\0') != std::string::npos) {
     throw Error({path}, "is not a text file", "name a Wavefront OBJ");

@@ -88,6 +88,10 @@ Packing Packer::run(Status& status) {
     more = accept(packing);
     packing.update_seconds += updating.seconds();
     report(status);
+    if (more && !surfaces_.instances.empty() && status.finish_requested()) {
+      packing.complete = false;
+      break;
+    }
     if (more) {
       find_holes();
     }

@@ -13,6 +13,8 @@ namespace collage {
 
 struct Packing {
   std::vector<Instance> instances;
+  /// False where Status::finish_requested() ended it before the space was full.
+  bool complete = true;
   glm::ivec3 voxels{0};
   std::size_t voxels_inside_target = 0;
   std::size_t voxels_inside_instances = 0;
@@ -30,9 +32,9 @@ struct Packing {
 
 /// Fills the field with elements, biggest first (Muhm 2011, Fig. 9), until the largest hole is
 /// smaller than the threshold or than every element. The field, which must be fresh from the
-/// target, is left with the clearances between the instances. Throws Interrupted where the user
-/// stops it. Cost: a small multiple of the number of voxels, however many elements, times a query
-/// each.
+/// target, is left with the clearances between the instances. Ends after any instance but none
+/// where it is asked to finish. Throws Interrupted where the user stops it. Cost: a small multiple
+/// of the number of voxels, however many elements, times a query each.
 Packing pack(const Target& target, ClearanceField& field, std::span<const Ingredient> ingredients,
              const PackingOptions& options, Status& status);
 

@@ -42,4 +42,8 @@ std::string json_text(const std::string& text) {
 
 std::string json_text(const OptionValue& value) { return std::visit(ToJson{}, value); }
 
+std::string stopped_members(const std::optional<std::string>& stopped) {
+  return stopped ? ",\n  \"complete\": false,\n  \"stopped\": " + json_text(*stopped) : "";
+}
+
 }  // namespace collage

@@ -58,6 +58,9 @@ std::array<std::uint64_t, 3> voxels(const json& value) {
 Report report(const json& root) {
   Report result;
   result.seed = within(root, "seed", natural);
+  if (root.contains("stopped")) {
+    result.stopped = within(root, "stopped", text);
+  }
   result.instances = within(root, "instances", natural);
   result.fill = within(root, "fill", number);
   result.fill_by_voxels = within(root, "fill_by_voxels", number);
@@ -125,6 +128,7 @@ std::string line(const char* name, const std::string& value) {
 
 void write_report(const fs::path& path, const Report& report) {
   write_file(path, "{\n  \"seed\": " + std::to_string(report.seed) +
+                       stopped_members(report.stopped) +
                        ",\n  \"instances\": " + std::to_string(report.instances) +
                        ",\n  \"fill\": " + number_text(report.fill) +
                        ",\n  \"fill_by_voxels\": " + number_text(report.fill_by_voxels) +
@@ -157,7 +161,8 @@ std::string report_text(const Report& report) {
          line("seconds", "prepare " + rounded(s.prepare, 2) + ", place " + rounded(s.place, 2) +
                              ", update " + rounded(s.update, 2) + ", write " + rounded(s.write, 2) +
                              ", render " + rounded(s.render, 2)) +
-         line("seed", std::to_string(report.seed));
+         line("seed", std::to_string(report.seed)) +
+         (report.stopped ? line("not complete", "ended by " + harmless(*report.stopped)) : "");
 }
 
 }  // namespace collage

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Report {
   };
 
   std::uint64_t seed = 0;
+  /// As Sculpture::stopped.
+  std::optional<std::string> stopped{};
   std::uint64_t instances = 0;
   /// Shares of the target, 0 to 1: by the volumes of the meshes, of the voxels inside it, and by
   /// the volumes of the smallest spheres round the instances.

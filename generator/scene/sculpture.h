@@ -42,6 +42,9 @@ struct Sculpture {
   std::vector<Input> props{};
   /// Of the scene.pov that was written with it; empty where that is not known.
   std::string scene_sha256{};
+  /// What ended the packing before the space was full, "time limit" or "Ctrl-C"; none where
+  /// nothing did. The file then says "complete": false as well.
+  std::optional<std::string> stopped{};
   /// In the order of placement.
   std::vector<Instance> instances{};
 };

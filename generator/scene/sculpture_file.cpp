@@ -215,6 +215,9 @@ Sculpture sculpture(const json& root) {
   if (root.contains("scene_sha256")) {
     result.scene_sha256 = within(root, "scene_sha256", digest);
   }
+  if (root.contains("stopped")) {
+    result.stopped = within(root, "stopped", text);
+  }
   within(root, "instances", [&](const json& list) {
     result.instances.reserve(list.size());
     for_each_item(list, [&](const json& item) {
@@ -232,8 +235,8 @@ void write_sculpture(const std::filesystem::path& path, const Sculpture& sculptu
   FileWriter file(path);
   const std::string& digest = sculpture.scene_sha256;
   file.append("{\n  \"version\": " + json_text(sculpture.version) +
-              ",\n  \"command\": " + json_text(sculpture.command) +
-              ",\n  \"seed\": " + std::to_string(scene.packing.seed) +
+              ",\n  \"command\": " + json_text(sculpture.command) + ",\n  \"seed\": " +
+              std::to_string(scene.packing.seed) + stopped_members(sculpture.stopped) +
               ",\n  \"options\": " + options_json(scene) + ",\n" + inputs_text(sculpture) +
               (digest.empty() ? "" : "  \"scene_sha256\": " + json_text(digest) + ",\n") +
               "  \"instances\": [");

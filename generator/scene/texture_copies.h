@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -26,8 +27,8 @@ class TextureCopies {
       : folder_(std::move(folder)), status_(status) {}
 
   /// The copy of a picture; the same picture, whatever its path, is copied once. Nothing, and a
-  /// note, where it cannot be read or is not of a format that POV-Ray reads. Throws Error where the
-  /// copy cannot be written.
+  /// note, where it cannot be read, is not of a format that POV-Ray reads or claims over 2^28
+  /// pixels. Throws Error where the copy cannot be written.
   std::optional<TextureCopy> add(const std::filesystem::path& picture);
 
  private:
@@ -37,6 +38,10 @@ class TextureCopies {
   Status& status_;
   std::map<std::string, TextureCopy> by_hash_;
 };
+
+/// Width times height, as a picture of this format and content says in its head; 0 where it does
+/// not say, or in a format that we do not look into (TIFF).
+std::uint64_t claimed_pixels(std::string_view content, std::string_view format);
 
 /// POV-Ray's keyword for a picture of this content, by its first bytes (TGA, which has no mark
 /// there, by the extension); "" for other formats.

@@ -14,6 +14,32 @@ TEST(StopSignals, TurnASignalIntoARequest) {
   EXPECT_TRUE(StopSignals::requested());
 }
 
+TEST(StopSignals, AnOfferTakesOneCtrlC) {
+  const StopSignals signals;
+  {
+    const FinishOffer offer;
+    std::raise(SIGINT);
+    EXPECT_TRUE(StopSignals::finish_requested());
+    EXPECT_FALSE(StopSignals::requested());
+    std::raise(SIGINT);
+    EXPECT_TRUE(StopSignals::requested());
+  }
+}
+
+TEST(StopSignals, AnOfferDoesNotTakeSigtermNorWhatComesAfterIt) {
+  {
+    const StopSignals signals;
+    const FinishOffer offer;
+    std::raise(SIGTERM);
+    EXPECT_TRUE(StopSignals::requested());
+  }
+  const StopSignals signals;
+  { const FinishOffer offer; }
+  std::raise(SIGINT);
+  EXPECT_TRUE(StopSignals::requested());
+  EXPECT_FALSE(StopSignals::finish_requested());
+}
+
 TEST(StopSignals, ForgetAnEarlierRequest) {
   {
     const StopSignals signals;

@@ -11,6 +11,7 @@
 #include "audit/audit.h"
 #include "audit/links.h"
 #include "base/error.h"
+#include "support/finishing_status.h"
 #include "support/instances.h"
 #include "support/meshes.h"
 
@@ -212,6 +213,24 @@ TEST(PackByShape, RingsLinkAsAskedFor) {
   EXPECT_EQ(linked_share(setup), 0.0);
   setup.options.linking = Linking::seek;
   EXPECT_GE(linked_share(setup), 0.5);
+}
+
+TEST(PackByShape, EndsWithWhatIsPlacedWhenAskedTo) {
+  const Case setup;
+  const Packing whole = run(setup).packing;
+  EXPECT_TRUE(whole.complete);
+  test::FinishingStatus at_once(0);
+  const Packing one = run(setup, at_once).packing;
+  EXPECT_FALSE(one.complete);
+  EXPECT_EQ(one.instances.size(), 1U);
+  EXPECT_TRUE(judged(setup, one).passed());
+  test::FinishingStatus later(60);
+  const Packing part = run(setup, later).packing;
+  EXPECT_FALSE(part.complete);
+  ASSERT_GT(part.instances.size(), 1U);
+  ASSERT_LT(part.instances.size(), whole.instances.size());
+  test::expect_same_instances(part.instances,
+                              std::span(whole.instances).first(part.instances.size()));
 }
 
 TEST(PackByShape, StopsWhenAskedTo) {

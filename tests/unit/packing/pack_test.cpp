@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include "support/exact_packer.h"
+#include "support/finishing_status.h"
 #include "support/instances.h"
 #include "support/meshes.h"
 #include "support/thesis_twin.h"
@@ -37,9 +38,8 @@ struct Result {
   std::vector<Element> elements;
 };
 
-Result run(const Case& setup) {
+Result run(const Case& setup, Status&& status = {}) {
   Result result;
-  Status status;
   const MeshTarget target(setup.target_mesh);
   for (const Mesh& mesh : setup.element_meshes) {
     result.elements.emplace_back(mesh, setup.options.distance);
@@ -252,6 +252,23 @@ TEST(Pack, IsTheSameAsItsExactTwinToTheLastBitWhateverTheNumberOfThreads) {
       }
       expect_same(result.packing, *twin);
     }
+  }
+}
+
+TEST(Pack, EndsWithWhatIsPlacedWhenAskedTo) {
+  Case setup;
+  setup.options.scaling = Scaling::to_hole;
+  setup.options.threshold = 0.03;
+  const Packing whole = run(setup).packing;
+  EXPECT_TRUE(whole.complete);
+  for (const int threads : {1, 2}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const Packing part = run(setup, test::FinishingStatus(1)).packing;
+    EXPECT_FALSE(part.complete);
+    ASSERT_FALSE(part.instances.empty());
+    ASSERT_LT(part.instances.size(), whole.instances.size());
+    test::expect_same_instances(part.instances,
+                                std::span(whole.instances).first(part.instances.size()));
   }
 }
 

@@ -14,8 +14,11 @@ using ::testing::HasSubstr;
 
 class FindPovray : public ::testing::Test {
  protected:
-  void SetUp() override { ::unsetenv("COLLAGE_POVRAY"); }
-  void TearDown() override { ::unsetenv("COLLAGE_POVRAY"); }
+  void SetUp() override {
+    ::unsetenv("COLLAGE_POVRAY");
+    ::unsetenv("COLLAGE_SANDBOX");
+  }
+  void TearDown() override { SetUp(); }
 
   std::string error() {
     return error_of([&] { find_povray(runner_, Status()); });
@@ -58,6 +61,24 @@ TEST_F(FindPovray, rejects_another_program) {
   runner_.programs["povray"] = "/usr/bin/povray";
   runner_.answers = {{.lines = {"Blender 4.0"}, .exit_code = 0}};
   EXPECT_THAT(error(), HasSubstr("does not say which version of POV-Ray it is"));
+}
+
+TEST_F(FindPovray, is_asked_in_a_sandbox_where_that_works) {
+  runner_.programs = {{"povray", "/usr/bin/povray"}, {"bwrap", "/usr/bin/bwrap"}};
+  runner_.answers = {{.lines = {"POV-Ray 3.7.0"}, .exit_code = 0}};
+  EXPECT_EQ(find_povray(runner_, Status()).sandbox, "/usr/bin/bwrap");
+  EXPECT_EQ(runner_.commands.at(0).program, "/usr/bin/bwrap");
+}
+
+TEST_F(FindPovray, does_without_a_sandbox_that_does_not_work_or_is_not_wanted) {
+  runner_.programs = {{"povray", "/usr/bin/povray"}, {"bwrap", "/usr/bin/bwrap"}};
+  runner_.answers = {{.lines = {"bwrap: No permissions to create new namespace"}, .exit_code = 1},
+                     {.lines = {"POV-Ray 3.7.0"}, .exit_code = 0},
+                     {.lines = {"POV-Ray 3.7.0"}, .exit_code = 0}};
+  EXPECT_EQ(find_povray(runner_, Status()).sandbox, std::nullopt);
+  ::setenv("COLLAGE_SANDBOX", "no", 1);
+  EXPECT_EQ(find_povray(runner_, Status()).sandbox, std::nullopt);
+  EXPECT_EQ(runner_.commands.at(2).program, "/usr/bin/povray");
 }
 
 TEST_F(FindPovray, obeys_the_environment) {

@@ -79,6 +79,14 @@ TEST(Process, a_program_that_left_something_running_has_ended_with_it) {
   EXPECT_LT(watch.seconds(), 2.0);
 }
 
+TEST(Process, takes_no_more_than_it_may) {
+  SystemRunner runner;
+  Command command = shell("ulimit -v; ulimit -t; ulimit -c");
+  command.memory_bytes = std::uint64_t{3} << 30;
+  command.cpu_seconds = 7;
+  EXPECT_THAT(run_command(runner, command, Status()).lines, ElementsAre("3145728", "7", "0"));
+}
+
 TEST(Process, says_what_cannot_be_started) {
   SystemRunner runner;
   const auto start = [&](const Command& command) {

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "unit/render/stand_in_scene.h"
 #include "unit/render/support.h"
@@ -89,6 +90,31 @@ TEST_F(RenderByFake, one_thread_has_one_picture_at_a_time) {
   answer(good_, 3);
   EXPECT_EQ(render(3, 1).rendered, 3);
   EXPECT_EQ(runner_.most_at_once, 1U);
+}
+
+TEST_F(RenderByFake, memory_is_divided_among_those_that_run_at_once) {
+  limit_memory(std::uint64_t{8} << 30);
+  answer(good_, 6);
+  render(5);
+  fs::remove(folder_ / "stills/0.png");
+  render(1);
+  EXPECT_EQ(runner_.commands[0].memory_bytes, std::uint64_t{2} << 30);
+  EXPECT_EQ(runner_.commands[5].memory_bytes, std::uint64_t{8} << 30);
+  limit_memory(1'000'000);
+  answer(good_);
+  fs::remove(folder_ / "stills/0.png");
+  render(1);
+  EXPECT_EQ(runner_.commands[6].memory_bytes, std::uint64_t{1} << 30);
+  limit_memory(0);
+}
+
+TEST_F(RenderByFake, povray_runs_in_the_sandbox) {
+  const Povray povray{"/usr/bin/povray", "3.7.0", "/usr/bin/bwrap"};
+  answer(good_);
+  const std::vector<PictureJob> jobs = {{small_shot(0.0), folder_ / "a.png"}};
+  render_pictures({runner_, povray, 1, status_}, folder_.path(), jobs);
+  EXPECT_EQ(runner_.commands.at(0).program, "/usr/bin/bwrap");
+  EXPECT_TRUE(has_argument(runner_.commands[0], "/usr/bin/povray"));
 }
 
 TEST_F(RenderByFake, what_is_there_is_kept_and_the_rest_finished) {

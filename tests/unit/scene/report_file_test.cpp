@@ -43,6 +43,18 @@ TEST(ReportFile, ReadsBackWhatItWrote) {
   EXPECT_EQ(copy.elements[1].instances, 33U);
 }
 
+TEST(ReportFile, MarksWhatWasEndedEarly) {
+  const TemporaryFolder folder;
+  Report report = some_report();
+  write_report(folder.path() / "report.json", report);
+  EXPECT_EQ(read_report(folder.path() / "report.json").stopped, std::nullopt);
+  EXPECT_THAT(report_text(report), ::testing::Not(::testing::HasSubstr("complete")));
+  report.stopped = "time limit";
+  write_report(folder.path() / "report.json", report);
+  EXPECT_EQ(read_report(folder.path() / "report.json").stopped, "time limit");
+  EXPECT_THAT(report_text(report), ::testing::HasSubstr("ended by time limit"));
+}
+
 TEST(ReportFile, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   const auto path = folder.write("report.json", R"({"seed": 1, "instances": -1})");

@@ -48,5 +48,19 @@ TEST(TextureCopies, NotesWhatCannotBeUsed) {
   EXPECT_THAT(status.notes[1], ::testing::HasSubstr("notes.txt is not a picture"));
 }
 
+TEST(ClaimedPixels, AreReadFromTheHead) {
+  using namespace std::string_view_literals;
+  EXPECT_EQ(claimed_pixels("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\1\x86\xa0\0\1\x86\xa0"sv, "png"),
+            10'000'000'000U);
+  EXPECT_EQ(claimed_pixels("GIF89a\x20\0\x10\1"sv, "gif"), 32U * 272U);
+  EXPECT_EQ(claimed_pixels("BM0123456789abcdef\x40\0\0\0\xff\xff\xff\xff"sv, "bmp"), 64U);
+  EXPECT_EQ(claimed_pixels("0123456789ab\xff\xff\2\0"sv, "tga"), 65535U * 2U);
+  EXPECT_EQ(claimed_pixels("\xff\xd8\xff\xe0\0\4__\xff\xc0\0\x11\x08\1\0\2\0\3"sv, "jpeg"),
+            256U * 512U);
+  EXPECT_EQ(claimed_pixels("\xff\xd8\xff\xe0\0\0"sv, "jpeg"), 0U);
+  EXPECT_EQ(claimed_pixels("P6\n# GIMP 3\n100000\t# wide\n 90000\n255\n"sv, "ppm"), 9'000'000'000U);
+  EXPECT_EQ(claimed_pixels("P5 # and no more"sv, "pgm"), 0U);
+}
+
 }  // namespace
 }  // namespace collage
