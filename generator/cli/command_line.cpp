@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <new>
@@ -38,6 +39,17 @@ std::array<int, 2> parse_size(const std::string& text) {
         fmt::format("'{}' is not a size such as 640x480 (sides 1 to {})", text, largest_side));
   }
   return size;
+}
+
+/// CLI::Range() lets "nan" through, as it is neither below nor above.
+CLI::Validator within(double low, double high) {
+  const CLI::Validator range = CLI::Range(low, high);
+  const auto check = [=](std::string& text) {
+    double number = 0.0;
+    const bool is_nan = CLI::detail::lexical_cast(text, number) && std::isnan(number);
+    return is_nan ? "Value " + text + " is not a number" : range(text);
+  };
+  return {check, range.get_description()};
 }
 
 /// The arguments of all commands and, once parsed, what is to be run.
@@ -107,7 +119,7 @@ CommandLine::CommandLine() {
                    "front, three-quarter, …, or azimuth/elevation in degrees, as 30/15")
       ->allow_extra_args(false);
   still->add_option("--stage", picture_.stage, "Share of the instances shown")
-      ->check(CLI::Range(0.0001, 1.0));
+      ->check(within(0.0001, 1.0));
   still->add_option("--element", picture_.element, "Show the element of this number alone, from 0")
       ->check(CLI::Range(0, 9999));
   still->add_option("-o,--output", picture_.output, "The picture, .png or .exr");
@@ -183,7 +195,7 @@ CLI::App* CommandLine::add_scene_command(const char* name, const char* help,
   command
       ->add_option("--time-limit", scene_.time_limit_seconds,
                    "Seconds after which packing ends with what is placed")
-      ->check(CLI::Range(0.001, 1e7));
+      ->check(within(0.001, 1e7));
   add_common(command);
   add_json(command);
   command->callback([this, runner] {
@@ -277,20 +289,20 @@ void CommandLine::add_compare() {
   command->add_option("picture", compare_.picture)->required();
   command->add_option("--difference", compare_.difference, "Write an amplified difference picture");
   command->add_option("--amplify", compare_.amplification)
-      ->check(CLI::Range(0.01, 10000.0))
+      ->check(within(0.01, 10000.0))
       ->capture_default_str();
   command
       ->add_option("--fail", compare_.thresholds.fail,
                    "A pixel fails where a channel, 0 to 1, differs by more")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(within(0.0, 1000.0))
       ->capture_default_str();
   command
       ->add_option("--failing-share", compare_.thresholds.failing_share,
                    "This share of the pixels may fail")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(within(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--hard-fail", compare_.thresholds.hard_fail, "No pixel may differ by more")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(within(0.0, 1000.0))
       ->capture_default_str();
   add_json(command);
   command->callback(
@@ -350,7 +362,7 @@ void CommandLine::add_model() {
       add("model", "Write a starter model or letters as OBJ; without either, list the models");
   const auto range = [](const char* key) {
     const Option& option = *find_option(key);
-    return CLI::Range(option.minimum, option.maximum);
+    return within(option.minimum, option.maximum);
   };
   CLI::Option* name = command->add_option("name", model_.name);
   CLI::Option* text =
