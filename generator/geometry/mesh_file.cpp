@@ -56,6 +56,7 @@ class Assembler {
   Mesh run();
 
  private:
+  [[nodiscard]] Error missing_vertex(int line) const;
   void check_face(std::size_t face);
   void add_face(std::size_t face);
   void fill_normals();
@@ -73,15 +74,20 @@ class Assembler {
   std::uint64_t small_faces_ = 0;
 };
 
+Error Assembler::missing_vertex(int line) const {
+  return {{path_, line},
+          "a face names a vertex that is not there (the file has " +
+              grouped(text_.positions.size()) + ")",
+          "export the mesh again"};
+}
+
 void Assembler::check_face(std::size_t face) {
   const auto count = std::ssize(text_.positions);
   const std::size_t end = faces_.starts[face + 1];
   for (std::size_t i = faces_.starts[face]; i < end; ++i) {
     ObjCorner& corner = faces_.corners[i];
     if (corner.position < 0 || corner.position >= count) {
-      throw Error({path_, text_.face_lines[face]},
-                  "a face names a vertex that is not there (the file has " + grouped(count) + ")",
-                  "export the mesh again");
+      throw missing_vertex(text_.face_lines[face]);
     }
     const dvec3& position = text_.positions[corner.position];
     const dvec3 size = glm::abs(position);
@@ -196,6 +202,9 @@ void Assembler::note_repairs() const {
 }
 
 Mesh Assembler::run() {
+  if (text_.overflowing_face_line) {
+    throw missing_vertex(*text_.overflowing_face_line);
+  }
   for (std::size_t face = 0; face < faces_.size(); ++face) {
     check_face(face);
     add_face(face);

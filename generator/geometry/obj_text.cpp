@@ -86,6 +86,22 @@ void blank_out(std::string& text) {
   }
 }
 
+bool holds_overflowing_index(std::string_view words) {
+  constexpr std::string_view digits = "0123456789";
+  while (true) {
+    words.remove_prefix(std::min(words.find_first_of(digits), words.size()));
+    if (words.empty()) {
+      return false;
+    }
+    const std::size_t end = std::min(words.find_first_not_of(digits), words.size());
+    int index = 0;
+    if (std::from_chars(words.data(), words.data() + end, index).ec != std::errc()) {
+      return true;
+    }
+    words.remove_prefix(end);
+  }
+}
+
 void scan_line(std::string_view line, int number, ObjText& result) {
   const std::string_view keyword = take_word(line);
   if (line.empty()) {
@@ -96,6 +112,9 @@ void scan_line(std::string_view line, int number, ObjText& result) {
     result.position_lines.push_back(number);
   } else if (keyword == "f" && line.find_first_not_of(blanks) != std::string_view::npos) {
     result.face_lines.push_back(number);
+    if (!result.overflowing_face_line && holds_overflowing_index(line)) {
+      result.overflowing_face_line = number;
+    }
   } else if (keyword == "mtllib") {
     result.libraries.emplace_back(trimmed(line));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ struct ObjText {
   /// The line of each `v`, and of each `f` that names a corner, counted from 1.
   std::vector<int> position_lines;
   std::vector<int> face_lines;
+  /// The first `f` with a number that does not fit an int, which tinyobjloader takes for another.
+  std::optional<int> overflowing_face_line;
   /// What stands behind each `mtllib`, white space trimmed.
   std::vector<std::string> libraries;
 };

@@ -173,6 +173,8 @@ TEST_F(MeshFileTest, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of(head + "f 1 2 0\n"), "m.obj:5: " + missing);
   EXPECT_EQ(error_of(head + "f 1 2 x\n"), "m.obj:5: " + missing);
   EXPECT_EQ(error_of(head + "f 1 2 \\\n 3\n\nf 1 2 99999999999\n"), "m.obj:8: " + missing);
+  EXPECT_EQ(error_of(head + "f 1 2 99999999999999999999\n"), "m.obj:5: " + missing);
+  EXPECT_EQ(error_of(head + "f 1 2 3\nf 1 2 -99999999999999999999\n"), "m.obj:6: " + missing);
   const std::string number = "a vertex is not three finite numbers; mend the coordinates";
   for (const std::string bad : {"nan 0 0", "0 inf 0", "0 0", "1,5 0 0", "0 1e999 0", "a b c"}) {
     EXPECT_EQ(error_of("v 0 0 0\nv " + bad + "\nv 0 1 0\nf 1 2 3"), "m.obj:2: " + number) << bad;
