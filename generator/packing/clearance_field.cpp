@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
 
 #include <tbb/parallel_for.h>
 
@@ -24,7 +23,6 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
   leaves_ = std::bit_ceil(blocks);
   maxima_.assign(2 * leaves_, -1.0F);
   last_neighbour_.assign(blocks, 0);
-  least_target_clearance_.assign(blocks, std::numeric_limits<float>::infinity());
 
   const glm::ivec3 n = grid_.blocks();
   const std::size_t layer = static_cast<std::size_t>(n.x) * n.y;
@@ -63,12 +61,7 @@ void ClearanceField::sample(const Target& target, std::size_t block_index) {
   }
   target.clearances({points.data(), count}, {clearances.data(), count});
   for (std::size_t i = 0; i < count; ++i) {
-    const float clearance = rounded_down(clearances[i]);
-    view.upper[slots[i]] = clearance;
-    if (clearance >= 0.0F) {
-      least_target_clearance_[block_index] =
-          std::min(least_target_clearance_[block_index], clearance);
-    }
+    view.upper[slots[i]] = rounded_down(clearances[i]);
   }
 }
 

@@ -55,10 +55,6 @@ class ClearanceField {
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
-  /// No voxel of the block that is inside the target has its surface nearer.
-  [[nodiscard]] float least_target_clearance(std::size_t block) const {
-    return least_target_clearance_[block];
-  }
   /// Notes that instance `id` may be the nearest surface to voxels of a block.
   void add_neighbour(std::size_t block, SurfaceId id);
   /// Calls `visit(id)` for each such instance.
@@ -79,7 +75,6 @@ class ClearanceField {
   VoxelGrid grid_;
   std::vector<float> upper_;
   std::vector<NearestSurface> nearest_;
-  std::vector<float> least_target_clearance_;
   /// A tournament: a node at i is the larger of those at 2i and 2i + 1; the blocks' maxima stand at
   /// leaves_ and on.
   std::vector<float> maxima_;

@@ -237,9 +237,7 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   } else if (nearest.id() == several_surfaces) {
     found.clearance = upper;
     field.for_each_neighbour(peak.block, consider);
-    if (field.least_target_clearance(peak.block) <= found.clearance) {
-      consider(target_surface);
-    }
+    consider(target_surface);
   } else {
     found.clearance = upper;
     consider(nearest.id());
