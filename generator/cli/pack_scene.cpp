@@ -136,7 +136,9 @@ class EarlyEnd : public Status {
   void withdraw() { offer_.reset(); }
 
   /// For people and for sculpture.json.
-  [[nodiscard]] std::string reason() const { return is_interrupted() ? "Ctrl-C" : "time limit"; }
+  [[nodiscard]] std::string reason() const {
+    return is_interrupted() ? std::string(ended_by_user) : "time limit";
+  }
 
  private:
   [[nodiscard]] bool is_interrupted() const {
@@ -291,7 +293,7 @@ Report pack_scene(const Scene& scene, const std::string& command, const fs::path
     stopped = early.reason();
     status.note("ended by " + *stopped + " with " + grouped(packing.instances.size()) +
                 " instances; going on with these" +
-                (*stopped == "Ctrl-C" ? ", until Ctrl-C is pressed again" : ""));
+                (*stopped == ended_by_user ? ", until Ctrl-C is pressed again" : ""));
   }
   if (packing.instances.empty()) {
     throw_nothing_fits(scene, workshop, packing);

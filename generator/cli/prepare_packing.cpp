@@ -18,6 +18,15 @@ bool same_shape(const Mesh& a, const Mesh& b) {
   return a.positions == b.positions && a.triangles == b.triangles;
 }
 
+/// The first mesh that is the same as that of element `e`.
+std::size_t first_of_its_shape(const std::vector<const Mesh*>& meshes, std::size_t e) {
+  std::size_t first = 0;
+  while (!same_shape(*meshes[first], *meshes[e])) {
+    ++first;
+  }
+  return first;
+}
+
 /// The elements by their shapes, each different shape once, and the space to fill.
 struct ShapeWorkshop {
   ShapeWorkshop(const Scene& scene, const PackingInput& input, Status& status);
@@ -39,10 +48,7 @@ ShapeWorkshop::ShapeWorkshop(const Scene& scene, const PackingInput& input, Stat
   const std::filesystem::path cache = cache_folder();
   std::vector<std::size_t> shape_of;
   for (std::size_t e = 0; e < input.meshes.size(); ++e) {
-    std::size_t first = 0;
-    while (!same_shape(*input.meshes[first], *input.meshes[e])) {
-      ++first;
-    }
+    const std::size_t first = first_of_its_shape(input.meshes, e);
     if (first < e) {
       shape_of.push_back(shape_of[first]);
       continue;
@@ -100,12 +106,11 @@ class MemoryEstimate {
   MemoryEstimate(const Scene& scene, const PackingInput& input)
       : target_(input.target), by_sphere_(scene.packing.fit == Fit::sphere) {
     fixed_ += bytes_a_triangle * input.target_mesh.triangles.size();
-    for (auto mesh = input.meshes.begin(); mesh != input.meshes.end(); ++mesh) {
-      const bool is_new = std::none_of(input.meshes.begin(), mesh, [&](const Mesh* other) {
-        return same_shape(*other, **mesh);
-      });
-      fixed_ += bytes_a_triangle * (*mesh)->triangles.size();
-      fixed_ += is_new && !by_sphere_ ? bytes_a_shape : 0;
+    for (std::size_t e = 0; e < input.meshes.size(); ++e) {
+      fixed_ += bytes_a_triangle * input.meshes[e]->triangles.size();
+      if (!by_sphere_ && first_of_its_shape(input.meshes, e) == e) {
+        fixed_ += bytes_a_shape;
+      }
     }
   }
 

@@ -61,7 +61,7 @@ PackingEnd end_of(const SceneArguments& arguments) {
   return {arguments.time_limit_seconds, PackingEnd::OnInterrupt::finish};
 }
 
-int exit_code(const Report& report) { return report.stopped == "Ctrl-C" ? interrupted : 0; }
+int exit_code(const Report& report) { return report.stopped == ended_by_user ? interrupted : 0; }
 
 void note_incomplete(const fs::path& folder, const Sculpture& sculpture, Terminal& terminal) {
   if (sculpture.stopped) {

@@ -31,7 +31,7 @@ using Corners = std::array<dvec3, 3>;
 struct Prisms {
   Planes face;
   std::array<Planes, 3> sides;
-  std::array<std::uint32_t, lanes> triangles{};
+  std::array<std::uint32_t, four_lanes> triangles{};
 
   Prisms() { face.offset = all_four(std::numeric_limits<float>::infinity()); }
   void set(std::size_t lane, std::uint32_t triangle, const Corners& corners);
@@ -75,7 +75,7 @@ void Prisms::set(std::size_t lane, std::uint32_t triangle, const Corners& corner
 struct Boxes {
   Points<Four> min;
   Points<Four> max;
-  std::array<std::uint32_t, lanes> content{};
+  std::array<std::uint32_t, four_lanes> content{};
 
   Boxes() {
     min.fill(all_four(std::numeric_limits<float>::infinity()));
@@ -237,7 +237,7 @@ void ClosestPointIndex::Hierarchy::search(const dvec3& query, ClosestPoint& best
       };
       const std::size_t nearest = least_lane(squared);
       visit_lane(nearest);
-      for (std::size_t other = 1; other < lanes; ++other) {
+      for (std::size_t other = 1; other < four_lanes; ++other) {
         visit_lane(nearest ^ other);
       }
       continue;
@@ -245,7 +245,7 @@ void ClosestPointIndex::Hierarchy::search(const dvec3& query, ClosestPoint& best
     const Boxes& boxes = boxes_[next.content];
     const Four squared = boxes.squared_distance(point);
     const std::size_t farthest = count;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (std::size_t lane = 0; lane < four_lanes; ++lane) {
       if (squared[lane] <= reach) {  // in its place, the nearest last
         std::size_t at = count++;
         for (; at > farthest && waiting[at - 1].squared_distance < squared[lane]; --at) {

@@ -13,7 +13,7 @@ namespace collage {
 /// results of each are those of a scalar.
 using Four = float __attribute__((vector_size(16)));
 using Two = double __attribute__((vector_size(16)));
-inline constexpr std::size_t lanes = 4;
+inline constexpr std::size_t four_lanes = 4;
 /// Points: their x, y and z.
 template <class Numbers>
 using Points = std::array<Numbers, 3>;

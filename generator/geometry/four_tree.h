@@ -53,7 +53,7 @@ class FourTreeBuilder {
   }
 
   std::uint32_t build(const Half& half) {
-    if (half.count <= lanes) {
+    if (half.count <= four_lanes) {
       return four_tree_leaf | fours_.add_leaf(items(half));
     }
     const std::uint32_t inner = fours_.add_inner();

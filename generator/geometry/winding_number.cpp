@@ -81,7 +81,7 @@ struct Pair {
     angles.add(x[1], y[1]);
   }
 };
-using Leaf = std::array<Pair, lanes / 2>;
+using Leaf = std::array<Pair, four_lanes / 2>;
 
 /// Up to four sets of triangles, each as it looks from afar.
 struct Clusters {
@@ -93,7 +93,7 @@ struct Clusters {
   Points<Four> moment_mixed{};
   /// Farther away than this they stand for their triangles. An absent one always does.
   Four far_distance_squared = all_four(-1.0F);
-  std::array<std::uint32_t, lanes> content{};
+  std::array<std::uint32_t, four_lanes> content{};
 
   Clusters() { center.fill(all_four(1e9F)); }
 };
@@ -231,7 +231,7 @@ double WindingNumber::Hierarchy::at(const dvec3& point) const {
     const Four dipoles = inverse_cubed * (dot(clusters.dipole, r) + diagonal[0] + diagonal[1] +
                                           diagonal[2] - 3.0F * quadratic * inverse_squared);
     far_sum += is_far ? dipoles : Four{};
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (std::size_t lane = 0; lane < four_lanes; ++lane) {
       waiting[count] = clusters.content[lane];
       count += is_far[lane] == 0 ? 1 : 0;
     }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/instance.h"
@@ -10,6 +11,9 @@
 #include "scene/scene.h"
 
 namespace collage {
+
+/// What Sculpture::stopped says where the user ended the packing.
+inline constexpr std::string_view ended_by_user = "Ctrl-C";
 
 /// A finished packing with everything needed to make it again or to judge it. All paths in it are
 /// relative to the folder of sculpture.json, which holds copies of the inputs, so that the folder
@@ -42,7 +46,7 @@ struct Sculpture {
   std::vector<Input> props{};
   /// Of the scene.pov that was written with it; empty where that is not known.
   std::string scene_sha256{};
-  /// What ended the packing before the space was full, "time limit" or "Ctrl-C"; none where
+  /// What ended the packing before the space was full, "time limit" or `ended_by_user`; none where
   /// nothing did. The file then says "complete": false as well.
   std::optional<std::string> stopped{};
   /// In the order of placement.
