@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "render/picture_file.h"
+#include "render/imaging.h"
 
 namespace collage {
 namespace {
@@ -49,30 +48,7 @@ std::string misfit(const Picture& reference, const Picture& picture) {
   return "";
 }
 
-OIIO::ImageBuf wrapped(Picture& picture) {
-  const OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
-                             OIIO::TypeDesc::FLOAT);
-  return {spec, picture.values.data()};
-}
-
-Comparison::Numbers measured(Picture& reference, Picture& picture, const Thresholds& thresholds) {
-  const auto fail = static_cast<float>(thresholds.fail);
-  const OIIO::ImageBufAlgo::CompareResults result =
-      OIIO::ImageBufAlgo::compare(wrapped(reference), wrapped(picture), fail, fail);
-  Comparison::Numbers numbers;
-  numbers.mean_error = result.meanerror;
-  numbers.max_error = result.maxerror;
-  numbers.max_x = result.maxx;
-  numbers.max_y = result.maxy;
-  if (result.maxerror > 0.0) {
-    numbers.psnr_decibels = result.PSNR;
-  }
-  numbers.failing_pixels = static_cast<long long>(result.nfail);
-  numbers.pixels = static_cast<long long>(reference.pixels());
-  return numbers;
-}
-
-std::string number(double value) { return OIIO::Strutil::sprintf("%.4g", value); }
+std::string number(double value) { return fmt::format("{:.4g}", value); }
 
 Comparison judged(const Comparison::Numbers& numbers, const Thresholds& thresholds) {
   const auto allowed = static_cast<long long>(
@@ -111,7 +87,7 @@ Comparison compare_pictures(const fs::path& reference_path, const fs::path& pict
   if (std::string reason = misfit(reference, picture); !reason.empty()) {
     return {Verdict::differs, std::move(reason), std::nullopt};
   }
-  const Comparison::Numbers numbers = measured(reference, picture, thresholds);
+  const Comparison::Numbers numbers = imaging().compared(reference, picture, thresholds.fail);
   if (reference.values == picture.values) {
     return {Verdict::same, "all pixels are equal", numbers};
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "render/imaging.h"
 #include "render/picture_file.h"
 #include "render/thumbnail.h"
 
@@ -27,8 +28,8 @@ std::string base64(std::string_view bytes) {
 
 EmbeddedPicture embedded_picture(const std::filesystem::path& path, int side) {
   const Picture picture = thumbnail(path, side);
-  const std::string png = picture_bytes(path.stem() += ".png", picture);
-  const std::string jpeg = picture_bytes(path.stem() += ".jpg", picture);
+  const std::string png = imaging().encoded(picture, path.stem() += ".png");
+  const std::string jpeg = imaging().encoded(picture, path.stem() += ".jpg");
   const bool is_flat = png.size() <= jpeg.size();
   return {
       (is_flat ? "data:image/png;base64," + base64(png) : "data:image/jpeg;base64," + base64(jpeg)),

@@ -28,13 +28,9 @@ struct Picture {
 /// Reads a PNG or EXR to its last row. Throws Error where it is missing, cut short, or no picture.
 Picture read_picture(const std::filesystem::path& path);
 
-/// The content of the file `path` with this picture in it: PNG, EXR or JPEG, as its extension says.
-/// With `key` as metadata and without date: equal pixels and key give equal bytes. A JPEG is of
-/// high quality, with its colours at full resolution. Throws Error naming `path`.
-std::string picture_bytes(const std::filesystem::path& path, const Picture& picture);
-
-/// Writes a picture under its final name, whole or not at all, in `picture.format`, as
-/// picture_bytes(). Throws Error where the folder cannot be written to.
+/// Writes a picture under its final name, whole or not at all, in `picture.format`, with
+/// its key as metadata and without date: equal pictures give equal bytes. Throws Error where the
+/// folder cannot be written to.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace collage

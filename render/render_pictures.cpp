@@ -1,6 +1,7 @@
 #include "render/render_pictures.h"
 
 #include <algorithm>
+#include <future>
 #include <list>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/stage.h"
+#include "render/imaging.h"
 #include "render/picture_file.h"
 #include "render/picture_key.h"
 #include "render/sandbox.h"
@@ -48,11 +50,14 @@ Command povray_command(const RenderTools& tools, const fs::path& folder, const R
       "+GF" + run.files.name(".fatal"), "+WT" + std::to_string(share.threads)};
   const std::vector<std::string> options = povray_options(run.job.shot);
   arguments.insert(arguments.end(), options.begin(), options.end());
-  // POVINI could change any option that we leave at its default.
+  // POVINI could change any option that we leave at its default. Huge pages (glibc 2.35) take a
+  // tenth off the time: rays go criss-cross through the memory of the meshes.
   Command command{.program = tools.povray.program,
                   .arguments = std::move(arguments),
                   .folder = folder,
-                  .environment = {{"POVINI", std::nullopt}, {"LC_ALL", "C"}},
+                  .environment = {{"POVINI", std::nullopt},
+                                  {"LC_ALL", "C"},
+                                  {"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}},
                   .memory_bytes = share.memory_bytes,
                   .cpu_seconds = most_seconds * static_cast<std::uint64_t>(share.threads)};
   return tools.povray.sandbox ? sandboxed(*tools.povray.sandbox, command) : command;
@@ -99,10 +104,14 @@ class Batch {
                       .memory_bytes = std::max(
                           memory_to_take() / static_cast<std::uint64_t>(at_once), least_memory)};
     done_ = total_ - tasks.size();
+    std::future<void> loading;
     auto next = tasks.begin();
     while (next != tasks.end() || !runs_.empty()) {
       while (next != tasks.end() && static_cast<int>(runs_.size()) < at_once) {
         start(*next++, share);
+      }
+      if (!loading.valid()) {  // while POV-Ray parses, which takes one thread
+        loading = std::async(std::launch::async, [] { imaging(); });
       }
       report();
       if (const auto finished = wait_or_stop(tools_.runner, tools_.status)) {

@@ -1,5 +1,9 @@
 #include "cli/finished_folder.h"
 
+#include <exception>
+
+#include <tbb/parallel_for_each.h>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/version.h"
@@ -24,6 +28,38 @@ Mesh read_input(const fs::path& folder, const Sculpture::Input& input) {
   return mesh;
 }
 
+/// Reads meshes at the same time; of several that fail, it is the first one that is heard of.
+class MeshReading {
+ public:
+  explicit MeshReading(const fs::path& folder) : folder_(folder) {}
+
+  void add(const Sculpture::Input& input, Mesh& mesh) { jobs_.push_back({&input, &mesh, {}}); }
+
+  void run() {
+    tbb::parallel_for_each(jobs_, [this](Job& job) {
+      try {
+        *job.mesh = read_input(folder_, *job.input);
+      } catch (...) {
+        job.failure = std::current_exception();
+      }
+    });
+    for (const Job& job : jobs_) {
+      if (job.failure) {
+        std::rethrow_exception(job.failure);
+      }
+    }
+  }
+
+ private:
+  struct Job {
+    const Sculpture::Input* input;
+    Mesh* mesh;
+    std::exception_ptr failure;
+  };
+  const fs::path& folder_;
+  std::vector<Job> jobs_;
+};
+
 }  // namespace
 
 Sculpture read_finished_sculpture(const fs::path& folder) {
@@ -37,17 +73,23 @@ Sculpture read_finished_sculpture(const fs::path& folder) {
 FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
   FinishedFolder finished;
   finished.sculpture = read_finished_sculpture(folder);
-  for (const Sculpture::Element& element : finished.sculpture.elements) {
-    if (status.stop_requested()) {
-      throw Interrupted();
-    }
-    finished.elements.push_back(read_input(folder, element));
+  const Sculpture& sculpture = finished.sculpture;
+  finished.elements.resize(sculpture.elements.size());
+  finished.props.resize(sculpture.props.size());
+
+  MeshReading reading(folder);
+  for (std::size_t e = 0; e < finished.elements.size(); ++e) {
+    reading.add(sculpture.elements[e], finished.elements[e]);
   }
-  for (const Sculpture::Input& prop : finished.sculpture.props) {
-    finished.props.push_back(read_input(folder, prop));
+  for (std::size_t k = 0; k < finished.props.size(); ++k) {
+    reading.add(sculpture.props[k], finished.props[k]);
   }
-  if (finished.sculpture.options.target.sdf.empty()) {
-    finished.target = read_input(folder, finished.sculpture.target);
+  if (sculpture.options.target.sdf.empty()) {
+    reading.add(sculpture.target, finished.target.emplace());
+  }
+  reading.run();
+  if (status.stop_requested()) {
+    throw Interrupted();
   }
   return finished;
 }

@@ -121,9 +121,9 @@ class MemoryEstimate {
   }
 
  private:
-  static constexpr std::uint64_t bytes_of_program = 150'000'000;  // most of it its libraries
-  static constexpr std::uint64_t bytes_a_shape = 20'000'000;      // covers, grid of distances
-  static constexpr std::uint64_t bytes_a_triangle = 700;          // positions and hierarchies
+  static constexpr std::uint64_t bytes_of_program = 50'000'000;  // with its libraries and threads
+  static constexpr std::uint64_t bytes_a_shape = 20'000'000;     // covers, grid of distances
+  static constexpr std::uint64_t bytes_a_triangle = 700;         // positions and hierarchies
   static constexpr std::uint64_t bytes_a_voxel = 16;  // 8, and what it takes to undo an update
   static constexpr std::uint64_t bytes_a_lattice_point = 12;  // 8, and blocks with their residents
 

@@ -32,7 +32,7 @@ void append_index_list(FileWriter& file, std::string_view keyword,
               [&](std::string& line, std::size_t t) { append_indices(line, triangles[t]); });
 }
 
-void append_vectors(FileWriter& file, const Mesh& mesh) {
+void append_vectors(FileWriter& file, const Mesh& mesh, bool use_uv) {
   append_list(file, "vertex_vectors", mesh.positions.size(),
               [&](std::string& line, std::size_t i) { append_vector(line, mesh.positions[i]); });
   if (!mesh.normal_triangles.empty()) {
@@ -41,7 +41,7 @@ void append_vectors(FileWriter& file, const Mesh& mesh) {
       append_vector(line, normal == dvec3(0.0) ? dvec3(0.0, 1.0, 0.0) : normal);
     });
   }
-  if (!mesh.uv_triangles.empty()) {
+  if (use_uv) {
     append_list(file, "uv_vectors", mesh.uvs.size(), [&](std::string& line, std::size_t i) {
       append_vector(line, {mesh.uvs[i].x, mesh.uvs[i].y});
     });
@@ -69,8 +69,9 @@ void append_faces(FileWriter& file, const Mesh& mesh, const MeshTextures& look) 
 void append_mesh2(FileWriter& file, const std::string& name, const Mesh& mesh,
                   const MeshTextures& look) {
   const bool by_triangle = look.assignment == ElementLook::Assignment::by_triangle;
+  const bool use_uv = look.use_uv && !mesh.uv_triangles.empty();
   file.append("#declare " + name + " = mesh2 {\n");
-  append_vectors(file, mesh);
+  append_vectors(file, mesh, use_uv);
   if (by_triangle) {
     append_texture_list(file, look.textures);
   }
@@ -78,7 +79,7 @@ void append_mesh2(FileWriter& file, const std::string& name, const Mesh& mesh,
   if (!mesh.normal_triangles.empty()) {
     append_index_list(file, "normal_indices", mesh.normal_triangles);
   }
-  if (!mesh.uv_triangles.empty()) {
+  if (use_uv) {
     append_index_list(file, "uv_indices", mesh.uv_triangles);
   }
   if (!by_triangle && !look.textures.empty()) {

@@ -153,18 +153,19 @@ class Writer {
     const ElementLook look = look_of(element, k);
     file_.append("// " + plain_name(element.name) + ", " +
                  counted(element.mesh.triangles.size(), "triangle") + "\n");
-    MeshTextures textures{{}, look.assignment};
+    MeshTextures textures{.textures = {}, .assignment = look.assignment};
     for (std::size_t m = 0; m < look.materials.size(); ++m) {
       textures.textures.push_back(name + "_Material_" + std::to_string(m));
-      append_material(textures.textures.back(), look.materials[m], element);
+      textures.use_uv |= append_material(textures.textures.back(), look.materials[m], element);
     }
     append_mesh2(file_, name, element.mesh, textures);
     file_.append("\n");
   }
 
-  void append_material(const std::string& name, const Material& material,
+  /// Whether it looks up a picture.
+  bool append_material(const std::string& name, const Material& material,
                        const Composition::Element& element) {
-    append_paint(name + "_Paint", material, element.mesh);
+    const bool is_picture = append_paint(name + "_Paint", material, element.mesh);
     std::string call = finish_macros.at(static_cast<std::size_t>(element.finish));
     std::string numbers;
     if (element.finish == Finish::automatic) {
@@ -173,20 +174,23 @@ class Writer {
     }
     file_.append(declared_macro(
         name, call + "(" + name + "_Paint, " + pov_vector(material.emission) + numbers + ")"));
+    return is_picture;
   }
 
-  void append_paint(const std::string& name, const Material& material, const Mesh& mesh) {
+  /// Whether it is a picture.
+  bool append_paint(const std::string& name, const Material& material, const Mesh& mesh) {
     const bool has_uv = !mesh.uv_triangles.empty();
     const auto picture =
         has_uv && !material.texture.empty() ? textures_.add(material.texture) : std::nullopt;
     const std::string opacity = ", " + number_text(material.opacity) + ")";
     if (!picture) {
       file_.append(declared_macro(name, "Plain_Paint(" + pov_vector(material.color) + opacity));
-      return;
+      return false;
     }
     file_.append("#declare " + name + "_Image = pigment { image_map { " + picture->format + " " +
                  pov_string(picture->name) + " interpolate 2 } }\n" +
                  declared_macro(name, "Picture_Paint(" + name + "_Image" + opacity));
+    return true;
   }
 
   /// The innermost neighbourhoods hold instances, the others neighbourhoods.

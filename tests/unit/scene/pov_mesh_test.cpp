@@ -42,17 +42,20 @@ TEST(PovMesh, WritesNormalsUvsAndTextures) {
       "  normal_indices {\n    1,\n    <0,0,1>\n  }\n"
       "  uv_indices {\n    1,\n    <0,0,0>\n  }\n";
   const std::string all_the_first =
-      written(mesh, {{"A", "B"}, ElementLook::Assignment::all_the_first});
+      written(mesh, {{"A", "B"}, ElementLook::Assignment::all_the_first, true});
   EXPECT_NE(all_the_first.find(lists + "  face_indices {\n    1,\n    <0,1,2>\n  }\n" + indices +
                                "  texture { A }\n}\n"),
             std::string::npos);
-  const std::string by_triangle = written(mesh, {{"A", "B"}, ElementLook::Assignment::by_triangle});
+  const std::string by_triangle =
+      written(mesh, {{"A", "B"}, ElementLook::Assignment::by_triangle, true});
   EXPECT_NE(
       by_triangle.find(lists +
                        "  texture_list {\n    2,\n    texture { A },\n    texture { B }\n  }\n"
                        "  face_indices {\n    1,\n    <0,1,2>,1\n  }\n" +
                        indices + "}\n"),
       std::string::npos);
+  const std::string without_pictures = written(mesh, {{"A"}});
+  EXPECT_EQ(without_pictures.find("uv_"), std::string::npos);
 }
 
 }  // namespace
