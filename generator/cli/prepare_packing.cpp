@@ -99,6 +99,14 @@ void refuse_stretches(const Scene& scene) {
   }
 }
 
+/// Where distances may be too large, the way to a wider hole may lead through a surface.
+void refuse_climbing_by_vertices(const Scene& scene) {
+  if (scene.packing.climb && scene.packing.distance == Distance::vertices) {
+    throw Error({scene.file}, "packing.climb does not go with packing.distance = \"vertices\"",
+                "use packing.distance = \"exact\"");
+  }
+}
+
 /// An upper bound, mostly within a factor of two, of what packing takes, in bytes. What an instance
 /// takes is little beside the voxels at its place.
 class MemoryEstimate {
@@ -160,6 +168,7 @@ void require_memory_for(const Scene& scene, const PackingInput& input) {
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
   require_stretches(scene);
+  refuse_climbing_by_vertices(scene);
   require_memory_for(scene, input);
   if (scene.packing.fit == Fit::shape) {
     refuse_stretches(scene);

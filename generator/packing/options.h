@@ -23,6 +23,7 @@ struct PackingOptions {
   Linking linking = Linking::allow;
   Distance distance = Distance::exact;
   double spacing = 0.0;
+  bool climb = false;
   std::uint64_t seed = 1;
 };
 

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "packing/climb.h"
 #include "packing/update.h"
 
 namespace collage {
@@ -35,7 +36,8 @@ class Packer {
         options_(options),
         longest_side_(target.box().longest_side()),
         placer_(ingredients, options, target.box()),
-        surfaces_(target, elements(ingredients)) {}
+        surfaces_(target, elements(ingredients)),
+        climb_reach_(options.climb ? field.grid().voxel_side : 0.0) {}
 
   Packing run(Status& status);
 
@@ -46,6 +48,7 @@ class Packer {
     BlockRange footprint;
     std::optional<Instance> instance;
     Update update;
+    std::vector<SurfaceId> neighbours;
   };
 
   /// The radius of the ball that an element may take in a hole.
@@ -59,7 +62,9 @@ class Packer {
   void make_largest_exact();
   double largest_clearance();
   void find_holes();
+  void climb(Filling& filling);
   void fill_holes();
+  void close_if_unchanged(const ClearanceField::Peak& peak);
   bool accept(Packing& packing);
   void report(Status& status);
 
@@ -68,6 +73,8 @@ class Packer {
   double longest_side_;
   Placer placer_;
   Surfaces surfaces_;
+  /// How far a centre may move from its voxel's sample point; 0: it stays there.
+  double climb_reach_;
 
   std::array<Filling, 64> fillings_;
   std::array<ClearanceField::Peak, 32> peaks_;
@@ -163,7 +170,8 @@ void Packer::find_holes() {
     if (!find_largest_hole(next)) {
       break;
     }
-    next.footprint = footprint(field_.grid(), next.hole);
+    // Climbing may move the centre by the reach and add as much to the clearance.
+    next.footprint = footprint(field_.grid(), next.hole, 5.0 * climb_reach_);
     const bool meets_another =
         std::any_of(fillings_.begin(), fillings_.begin() + static_cast<std::ptrdiff_t>(count_),
                     [&](const Filling& f) { return ranges_meet(f.footprint, next.footprint); });
@@ -177,6 +185,16 @@ void Packer::find_holes() {
   }
 }
 
+/// Neighbours in footprints that do not meet are too far off to matter.
+void Packer::climb(Filling& filling) {
+  filling.neighbours.clear();
+  field_.for_each_neighbour(filling.peak.block,
+                            [&](SurfaceId id) { filling.neighbours.push_back(id); });
+  std::ranges::sort(filling.neighbours);
+  filling.hole = climbed(surfaces_, filling.hole, filling.neighbours,
+                         std::min(climb_reach_, filling.hole.clearance));
+}
+
 void Packer::fill_holes() {
   const std::size_t first = surfaces_.instances.size();
   if (first + count_ > most_surfaces) {
@@ -186,13 +204,28 @@ void Packer::fill_holes() {
   surfaces_.instances.resize(first + count_);
   tbb::parallel_for(std::size_t{0}, count_, [&](std::size_t i) {
     Filling& filling = fillings_[i];
+    if (climb_reach_ > 0.0) {
+      climb(filling);
+    }
     filling.instance = placer_.place(filling.hole, first + i, surfaces_);
     if (filling.instance) {
       surfaces_.instances[first + i] = *filling.instance;
       update(field_, surfaces_, static_cast<SurfaceId>(first + i + 1), filling.hole,
-             placer_.least_clearance(), filling.update);
+             placer_.least_clearance(), 2.0 * climb_reach_, filling.update);
     }
   });
+}
+
+/// A thin element round a centre that moved may leave its voxel as large a hole as before.
+void Packer::close_if_unchanged(const ClearanceField::Peak& peak) {
+  const float& upper = field_.block(peak.block).upper[peak.slot];
+  if (upper == peak.upper) {
+    field_.set_block_maximum(peak.block,
+                             make_exact(field_, surfaces_, peak, placer_.least_clearance()));
+  }
+  if (upper == peak.upper) {
+    field_.close(peak);
+  }
 }
 
 /// Commits the fillings that were in turn, and undoes the others. False where no element is small
@@ -216,6 +249,9 @@ bool Packer::accept(Packing& packing) {
     }
     commit(field_, filling.update);
     packing.voxels_inside_instances += filling.update.voxels_flagged;
+    if (climb_reach_ > 0.0) {
+      close_if_unchanged(filling.peak);
+    }
     for (const Update::Maximum& maximum : filling.update.maxima) {
       largest_left = std::max(largest_left, maximum.upper);
     }

@@ -102,7 +102,7 @@ std::size_t BlockUpdate::run(Update::Maximum& result, std::vector<Update::Voxel>
     }
   }
   result.upper = field_.scan_block(index_);
-  result.is_near = is_near_;
+  result.is_near |= is_near_;
   return flagged_;
 }
 
@@ -141,18 +141,18 @@ void BlockUpdate::set_distance(std::size_t slot, const dvec3& unit) {
 
 }  // namespace
 
-BlockRange footprint(const VoxelGrid& grid, const Hole& hole) {
+BlockRange footprint(const VoxelGrid& grid, const Hole& hole, double margin) {
   const auto block_of = [&](const dvec3& point) {
     const dvec3 voxel = glm::floor((point - grid.origin) / grid.voxel_side);
     return glm::clamp(voxel, dvec3(0.0), dvec3(grid.size - 1));
   };
-  const double reach = 2.0 * hole.clearance;
+  const double reach = 2.0 * hole.clearance + margin;
   return {glm::ivec3(block_of(hole.center - reach)) / VoxelGrid::block_side,
           glm::ivec3(block_of(hole.center + reach)) / VoxelGrid::block_side + 1};
 }
 
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
-            float useless, Update& done) {
+            float useless, double margin, Update& done) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(id, grid.voxel_side);
   done.id = id;
@@ -160,7 +160,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
   done.before.clear();
   done.maxima.clear();
 
-  const BlockRange range = footprint(grid, hole);
+  const BlockRange range = footprint(grid, hole, margin);
   const double block_side = VoxelGrid::block_side * grid.voxel_side;
   glm::ivec3 at;
   for (at.z = range.first.z; at.z < range.last.z; ++at.z) {
@@ -172,9 +172,10 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
           continue;
         }
         const dvec3 corner = grid.origin + dvec3(at) * block_side;
-        const double reach = placed.radius() * (1.0 + 1e-5) + (maximum < useless ? 0.0F : maximum);
+        const bool has_holes = maximum >= useless;
+        const double reach = placed.radius() * (1.0 + 1e-5) + (has_holes ? maximum + margin : 0.0);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
-          done.maxima.push_back({index, maximum, false});
+          done.maxima.push_back({index, maximum, has_holes && margin > 0.0});
         }
       }
     }

@@ -17,9 +17,10 @@ inline bool ranges_meet(const BlockRange& a, const BlockRange& b) {
   return glm::all(glm::lessThan(a.first, b.last)) && glm::all(glm::lessThan(b.first, a.last));
 }
 
-/// The blocks whose voxels a new instance in a hole can change. No clearance exceeds the hole's, so
-/// that no voxel farther from the hole's centre than twice that changes.
-BlockRange footprint(const VoxelGrid& grid, const Hole& hole);
+/// The blocks whose voxels a new instance in a hole can change, and those less than `margin`
+/// farther off. No clearance exceeds the hole's, so that no voxel farther from the hole's centre
+/// than twice that changes.
+BlockRange footprint(const VoxelGrid& grid, const Hole& hole, double margin = 0.0);
 
 /// What an update did, and how it was before. Updates of disjoint footprints may run at the same
 /// time. Its memory is kept for the next update.
@@ -57,9 +58,11 @@ struct Update {
 /// the nearer, that is left to make_exact(), should it ever matter. A voxel with an upper bound
 /// below `useless`, too little ever to be a hole, keeps that bound and is looked at only where it
 /// may be inside; what else is stored there means nothing. The blocks' maxima are left to commit().
+/// With `margin`, the instance becomes a neighbour of all blocks for whose holes it is near enough
+/// to matter to points up to half of that from their centres.
 /// Costs about 30 ns for each voxel nearer to the instance's sphere than its clearance.
 void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const Hole& hole,
-            float useless, Update& done);
+            float useless, double margin, Update& done);
 
 /// Makes the field's maxima and neighbours those after the update.
 void commit(ClearanceField& field, const Update& done);

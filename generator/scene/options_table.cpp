@@ -152,6 +152,10 @@ void append_packing_options(std::vector<Option>& table) {
                           .maximum = 0.5,
                           .unit = "a fraction of the target's longest side",
                           .help = "air kept between instances and to the target"}));
+  table.push_back(option("packing.climb", [](auto& s) -> auto& { return s.packing.climb; },
+                         {.help = "by spheres: whether an element is centred where the hole is "
+                                  "widest, between the voxels, which fills more and takes a few "
+                                  "times as long"}));
   table.push_back(option("packing.seed", [](auto& s) -> auto& { return s.packing.seed; },
                          {.minimum = 0,
                           .maximum = largest_exact_integer,

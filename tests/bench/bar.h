@@ -36,12 +36,15 @@ struct Group {
   /// The meshes of others are needed: those in $COLLAGE_FIELD_MESHES, or sweethome3d-furniture in
   /// $COLLAGE_MESHES.
   enum class Meshes { own, field, furniture } meshes = Meshes::own;
+  /// Why it cannot be run at all; empty: it can.
+  std::string missing{};
 };
 
 // Each in the file of its name.
 std::vector<Group> update_bars();
 std::vector<Group> scaling_bars();
 std::vector<Group> signed_distance_bars();
+std::vector<Group> sphere_bars();
 std::vector<Group> preview_bars();
 std::vector<Group> shape_bars();
 

@@ -26,14 +26,14 @@ std::string environment(const char* name) {
 }
 
 /// Why a group cannot be run; empty: it can.
-std::string missing(Group::Meshes meshes) {
-  if (meshes == Group::Meshes::field && field_folder().empty()) {
+std::string missing(const Group& group) {
+  if (group.meshes == Group::Meshes::field && field_folder().empty()) {
     return "COLLAGE_FIELD_MESHES is not set";
   }
-  if (meshes == Group::Meshes::furniture && environment("COLLAGE_MESHES").empty()) {
+  if (group.meshes == Group::Meshes::furniture && environment("COLLAGE_MESHES").empty()) {
     return "COLLAGE_MESHES is not set";
   }
-  return "";
+  return group.missing;
 }
 
 std::string required(const Bar& bar) {
@@ -84,7 +84,7 @@ int run(std::span<char*> arguments) {
   }
   std::vector<Group> groups;
   for (const auto& part :
-       {update_bars, scaling_bars, signed_distance_bars, preview_bars, shape_bars}) {
+       {update_bars, scaling_bars, signed_distance_bars, sphere_bars, preview_bars, shape_bars}) {
     for (Group& group : part()) {
       groups.push_back(std::move(group));
     }
@@ -96,7 +96,7 @@ int run(std::span<char*> arguments) {
     if (group.name.find(filter) == std::string::npos) {
       continue;
     }
-    if (const std::string reason = missing(group.meshes); !reason.empty()) {
+    if (const std::string reason = missing(group); !reason.empty()) {
       fmt::print("{}: skipped, as {}\n", group.name, reason);
       continue;
     }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
+#include "packing/climb.h"
 #include "packing/rounding.h"
 
 namespace collage::test {
@@ -109,10 +111,16 @@ Packing exact_pack(const Target& target, ClearanceField& field,
   Packing packing;
   while (const auto peak = field.peak()) {
     const NearestSurface nearest = field.block(peak->block).nearest[peak->slot];
-    const Hole hole{field.sample_point(*peak), peak->upper, nearest.id()};
+    Hole hole{field.sample_point(*peak), peak->upper, nearest.id()};
     packing.largest_hole = hole.clearance;
-    if (hole.clearance - options.spacing * longest_side < options.threshold * longest_side) {
+    if (hole.clearance - options.spacing * longest_side < options.threshold * longest_side ||
+        peak->upper < placer.least_clearance()) {
       break;
+    }
+    if (options.climb) {
+      std::vector<SurfaceId> all(surfaces.instances.size());
+      std::iota(all.begin(), all.end(), target_surface + 1);
+      hole = climbed(surfaces, hole, all, std::min(field.grid().voxel_side, hole.clearance));
     }
     const auto instance = placer.place(hole, surfaces.instances.size(), surfaces);
     if (!instance) {
@@ -125,6 +133,9 @@ Packing exact_pack(const Target& target, ClearanceField& field,
     surfaces.instances.push_back(*instance);
     packing.voxels_inside_instances +=
         exact_update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole);
+    if (options.climb && field.block(peak->block).upper[peak->slot] == peak->upper) {
+      field.close(*peak);
+    }
   }
   packing.instances = std::move(surfaces.instances);
   return packing;

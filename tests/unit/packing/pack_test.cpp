@@ -240,6 +240,11 @@ TEST(Pack, IsTheSameAsItsExactTwinToTheLastBitWhateverTheNumberOfThreads) {
   cases[4].options.scaling = Scaling::fixed;
   cases[4].options.threshold = 0.01;
   cases[4].scales = {0.2, 0.07, 0.05};
+  for (const std::size_t k : {0U, 1U, 2U, 4U}) {
+    cases.push_back(cases[k]);
+    cases.back().options.climb = true;
+    cases.back().options.threshold *= 1.3;  // its twin asks all surfaces about each hole
+  }
   for (Case& setup : cases) {
     setup.resolution = 48;
     std::optional<Packing> twin;
@@ -250,7 +255,27 @@ TEST(Pack, IsTheSameAsItsExactTwinToTheLastBitWhateverTheNumberOfThreads) {
         twin = run_twin(setup, result.elements);
         EXPECT_GT(twin->instances.size(), 100U);
       }
+      SCOPED_TRACE(&setup - cases.data());
       expect_same(result.packing, *twin);
+    }
+  }
+}
+
+TEST(Pack, ClimbingFindsWiderHolesAndFillsMoreWithoutOverlap) {
+  Case setup = to_hole(0.04);
+  setup.element_meshes = {test::blob_mesh(1.0, 0.0, 16)};
+  const Result before = run(setup);
+  setup.options.climb = true;
+  const Result after = run(setup);
+  EXPECT_GT(after.packing.fill_by_voxels(), 1.03 * before.packing.fill_by_voxels());
+  const MeshTarget target(setup.target_mesh);
+  std::span<const Instance> instances(after.packing.instances);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const dvec3 here = center(after, instances[i]);
+    EXPECT_GE(target.clearance(here), radius(after, instances[i]) * (1.0 - 1e-9));
+    for (const Instance& other : instances.first(i)) {
+      EXPECT_GE(glm::distance(here, center(after, other)),
+                (radius(after, instances[i]) + radius(after, other)) * 0.98);  // of flat faces
     }
   }
 }

@@ -41,7 +41,8 @@ struct Sculpture {
     surfaces.instances.push_back(instance);
   }
   void update_field(const Hole& hole, float useless = 0.0F) {
-    update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, useless, done);
+    update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, useless, 0.0,
+           done);
   }
 
   Status status;
