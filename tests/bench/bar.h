@@ -45,6 +45,7 @@ std::vector<Group> update_bars();
 std::vector<Group> scaling_bars();
 std::vector<Group> signed_distance_bars();
 std::vector<Group> sphere_bars();
+std::vector<Group> memory_bars();
 std::vector<Group> preview_bars();
 std::vector<Group> shape_bars();
 

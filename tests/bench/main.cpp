@@ -83,8 +83,8 @@ int run(std::span<char*> arguments) {
     }
   }
   std::vector<Group> groups;
-  for (const auto& part :
-       {update_bars, scaling_bars, signed_distance_bars, sphere_bars, preview_bars, shape_bars}) {
+  for (const auto& part : {update_bars, scaling_bars, signed_distance_bars, sphere_bars,
+                           memory_bars, preview_bars, shape_bars}) {
     for (Group& group : part()) {
       groups.push_back(std::move(group));
     }
