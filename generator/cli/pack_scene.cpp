@@ -93,9 +93,11 @@ Workshop::Workshop(const Scene& scene, Status& status) {
     props.push_back(read_mesh(prop, status));
   }
   elements.resize(count);
+  constexpr std::size_t few = 8;
+  const auto bounds = count <= few ? DistanceBounds::Detail::fine : DistanceBounds::Detail::coarse;
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t e) {
-    elements[e] =
-        std::make_unique<Element>(element_files[e].mesh, scene.packing.distance, scene.packing.fit);
+    elements[e] = std::make_unique<Element>(element_files[e].mesh, scene.packing.distance,
+                                            scene.packing.fit, bounds);
   });
   for (std::size_t e = 0; e < count; ++e) {
     const Scene::Element& wanted = scene.elements[e];

@@ -21,9 +21,10 @@ std::size_t node_index(const glm::ivec3& node, int cells) {
 
 }  // namespace
 
-DistanceBounds::DistanceBounds(const ClosestPointIndex& index) {
+DistanceBounds::DistanceBounds(const ClosestPointIndex& index, Detail finest) {
   for (double half_side = 1.0; half_side <= reach; half_side *= 2.0) {
-    const int cells = half_side <= near_half_side ? nearest_cells : far_cells;
+    const bool is_fine = finest == Detail::fine && half_side <= near_half_side;
+    const int cells = is_fine ? nearest_cells : far_cells;
     const std::vector<Node> nodes = sample(index, half_side, cells);
     const auto half_width = static_cast<float>(half_side);
     fine_.emplace_back(half_width, cells, nodes, 1);

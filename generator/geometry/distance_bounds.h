@@ -33,8 +33,9 @@ class DistanceBounds {
   /// A query's coordinates must be below this.
   static constexpr float reach = 16.0F;
 
-  /// About 100,000 queries, on all threads.
-  explicit DistanceBounds(const ClosestPointIndex& index);
+  /// About 90,000 queries on all threads; 25,000 where `finest` is coarse, which then is all there
+  /// is.
+  explicit DistanceBounds(const ClosestPointIndex& index, Detail finest = Detail::fine);
 
   /// The bounds hold for `query` in float arithmetic.
   [[nodiscard]] Squared squared(const glm::vec3& query, Detail detail) const {

@@ -13,8 +13,10 @@ namespace collage {
 class Element {
  public:
   /// `distance` says what distances to the element will be measured to; bounds on them are there
-  /// for packing by spheres alone, as they cost about 100,000 queries.
-  explicit Element(const Mesh& mesh, Distance distance = Distance::exact, Fit fit = Fit::sphere);
+  /// for packing by spheres alone, as they cost 90,000 queries, or 25,000 for coarse ones, which
+  /// serve as well where an element is one of many, and placed seldom.
+  explicit Element(const Mesh& mesh, Distance distance = Distance::exact, Fit fit = Fit::sphere,
+                   DistanceBounds::Detail bounds = DistanceBounds::Detail::fine);
 
   /// The element's size: radius of the smallest enclosing sphere, in the mesh's units.
   [[nodiscard]] double size() const { return solid_.radius(); }
@@ -32,7 +34,8 @@ class Element {
   [[nodiscard]] const DistanceBounds& distance_bounds() const { return *distance_bounds_; }
 
  private:
-  Element(const Mesh& mesh, const Sphere& sphere, Distance distance, Fit fit);
+  Element(const Mesh& mesh, const Sphere& sphere, Distance distance, Fit fit,
+          DistanceBounds::Detail bounds);
 
   Solid solid_;
   /// Only where distances are approximated by those to the vertices.

@@ -1,6 +1,7 @@
 #include "geometry/distance_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -45,16 +46,19 @@ std::vector<Case> cases() {
 TEST(DistanceBounds, HoldTheDistanceByBruteForce) {
   for (const auto& [name, mesh] : cases()) {
     const ClosestPointIndex index(mesh);
-    const DistanceBounds bounds(index);
+    const std::array bounds{DistanceBounds(index),
+                            DistanceBounds(index, DistanceBounds::Detail::coarse)};
     Rng rng(3, 1);
     for (const double half_side : {1.0, 2.0, 15.9}) {
       for (int i = 0; i < 1500; ++i) {
         const glm::vec3 query(test::random_point(rng, half_side));
         const double distance = brute_force_distance(mesh, dvec3(query));
         for (const auto detail : details) {
-          const auto [lower, gap] = bounds.squared(query, detail);
-          ASSERT_LE(lower, distance * distance) << name;
-          ASSERT_GE(static_cast<double>(lower) + gap, distance * distance) << name;
+          for (const DistanceBounds& each : bounds) {
+            const auto [lower, gap] = each.squared(query, detail);
+            ASSERT_LE(lower, distance * distance) << name;
+            ASSERT_GE(static_cast<double>(lower) + gap, distance * distance) << name;
+          }
         }
       }
     }
