@@ -1,12 +1,15 @@
 #include "render/picture_file.h"
 
+#include <cstdint>
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <zlib.h>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/memory.h"
 #include "render/scratch.h"
 
 namespace collage {
@@ -35,11 +38,45 @@ OIIO::ImageSpec spec_of(const Picture& picture, const fs::path& extension) {
   return spec;
 }
 
-/// A PNG without its last chunk was cut short. libpng would say so on stderr.
-bool is_cut_short(std::string_view bytes) {
-  constexpr std::string_view first_bytes = "\x89PNG";
-  constexpr std::string_view last_bytes = "IEND\xAE\x42\x60\x82";
-  return bytes.starts_with(first_bytes) && !bytes.ends_with(last_bytes);
+std::uint32_t big_endian(std::string_view four_bytes) {
+  std::uint32_t value = 0;
+  for (const char c : four_bytes) {
+    value = value << 8 | static_cast<unsigned char>(c);
+  }
+  return value;
+}
+
+/// What is wrong with the chunks of a PNG, "length type data CRC" each (ISO/IEC 15948, 5.3); "" for
+/// nothing, or another format. libpng would say it on stderr.
+std::string flaw_in_chunks(std::string_view bytes) {
+  constexpr std::string_view first_bytes = "\x89PNG\r\n\x1a\n";
+  constexpr std::size_t frame = 12;  // a chunk without data
+  if (!bytes.starts_with(first_bytes)) {
+    return "";
+  }
+  bytes.remove_prefix(first_bytes.size());
+  while (bytes.size() >= frame && big_endian(bytes.substr(0, 4)) <= bytes.size() - frame) {
+    const std::size_t length = big_endian(bytes.substr(0, 4));
+    const std::string_view content = bytes.substr(4, 4 + length);
+    const auto* const start = reinterpret_cast<const Bytef*>(content.data());
+    if (crc32_z(0, start, content.size()) != big_endian(bytes.substr(8 + length, 4))) {
+      return "it is damaged";
+    }
+    if (content == "IEND") {
+      return "";
+    }
+    bytes.remove_prefix(frame + length);
+  }
+  return "its end is missing";
+}
+
+/// Before memory is taken for what a picture claims to hold.
+void check_size(const fs::path& path, const OIIO::ImageSpec& spec) {
+  constexpr OIIO::imagesize_t most_pixels = OIIO::imagesize_t{1} << 28;
+  if (spec.image_pixels() > most_pixels) {
+    throw Error({path}, "has more than 2^28 pixels", "use a smaller picture");
+  }
+  require_memory(spec.image_pixels() * spec.nchannels * sizeof(float), path.string(), "its size");
 }
 
 [[noreturn]] void throw_not_whole(const fs::path& path, const std::string& reason) {
@@ -50,8 +87,8 @@ bool is_cut_short(std::string_view bytes) {
 
 Picture read_picture(const fs::path& path) {
   const std::string bytes = read_file(path);
-  if (is_cut_short(bytes)) {
-    throw_not_whole(path, "its end is missing");
+  if (const std::string flaw = flaw_in_chunks(bytes); !flaw.empty()) {
+    throw_not_whole(path, flaw);
   }
   OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
   const std::unique_ptr<OIIO::ImageInput> input =
@@ -61,6 +98,7 @@ Picture read_picture(const fs::path& path) {
     throw Error({path}, "is not a picture that can be read", "name a PNG or EXR file");
   }
   const OIIO::ImageSpec& spec = input->spec();
+  check_size(path, spec);
   Picture picture;
   picture.width = spec.width;
   picture.height = spec.height;
@@ -70,7 +108,8 @@ Picture read_picture(const fs::path& path) {
   picture.key = spec.get_string_attribute(key_name);
   picture.values.resize(picture.pixels() * static_cast<std::size_t>(picture.channels));
   if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, picture.values.data())) {
-    throw_not_whole(path, input->geterror());
+    const std::string reason = input->geterror();
+    throw_not_whole(path, reason.substr(0, reason.find('\n')));
   }
   return picture;
 }

@@ -2,9 +2,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/read_mesh.h"
 #include "cli/version.h"
-#include "geometry/mesh_check.h"
-#include "geometry/mesh_file.h"
 #include "scene/sculpture_file.h"
 
 namespace collage {
@@ -12,16 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Mesh read_input(const fs::path& folder, const Sculpture::Input& input) {
+Mesh read_input(const fs::path& folder, const Sculpture::Input& input, Repair repair) {
   const fs::path path = folder / input.path;
   if (sha256(read_file(path)) != input.sha256) {
     throw Error({path}, "is not the file that the sculpture was made from",
                 "put the original back, or pack the scene again");
   }
   Status silent;  // what there was to say of the mesh was said when it was packed
-  Mesh mesh = read_obj(path, silent).mesh;
-  orient(mesh);
-  return mesh;
+  return read_mesh(path, repair, silent).mesh;
 }
 
 }  // namespace
@@ -37,17 +34,19 @@ Sculpture read_finished_sculpture(const fs::path& folder) {
 FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
   FinishedFolder finished;
   finished.sculpture = read_finished_sculpture(folder);
-  for (const Sculpture::Element& element : finished.sculpture.elements) {
+  const Scene& options = finished.sculpture.options;
+  for (std::size_t e = 0; e < options.elements.size(); ++e) {
     if (status.stop_requested()) {
       throw Interrupted();
     }
-    finished.elements.push_back(read_input(folder, element));
+    finished.elements.push_back(
+        read_input(folder, finished.sculpture.elements[e], options.elements[e].repair));
   }
   for (const Sculpture::Input& prop : finished.sculpture.props) {
-    finished.props.push_back(read_input(folder, prop));
+    finished.props.push_back(read_input(folder, prop, Repair::orient));
   }
-  if (finished.sculpture.options.target.sdf.empty()) {
-    finished.target = read_input(folder, finished.sculpture.target);
+  if (options.target.sdf.empty()) {
+    finished.target = read_input(folder, finished.sculpture.target, options.target.repair);
   }
   return finished;
 }
