@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,9 +19,11 @@ class Imaging {
  public:
   virtual ~Imaging() = default;
 
+  /// Throws where a picture is too large, before memory is taken for it.
+  using SizeCheck = std::function<void(std::uint64_t pixels, int channels)>;
   /// The picture in a file's content.
-  [[nodiscard]] virtual Picture decoded(std::string_view bytes,
-                                        const std::filesystem::path& path) const = 0;
+  [[nodiscard]] virtual Picture decoded(std::string_view bytes, const std::filesystem::path& path,
+                                        const SizeCheck& check_size) const = 0;
   /// The content of the file `path`: PNG, EXR or JPEG, as its extension says. With the picture's
   /// key as metadata and without date. A JPEG is of high quality, with its colours at full
   /// resolution.

@@ -25,7 +25,8 @@ struct Picture {
   }
 };
 
-/// Reads a PNG or EXR to its last row. Throws Error where it is missing, cut short, or no picture.
+/// Reads a PNG or EXR to its last row. Throws Error where it is missing, cut short, damaged or no
+/// picture, has more than 2^28 pixels, or takes more memory than may be taken.
 Picture read_picture(const std::filesystem::path& path);
 
 /// Writes a picture under its final name, whole or not at all, in `picture.format`, with

@@ -1,6 +1,7 @@
 #include "render/povray.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
@@ -77,6 +78,18 @@ std::optional<fs::path> find_bwrap(const CommandRunner& runner) {
   const char* wanted = std::getenv("COLLAGE_SANDBOX");
   const bool unwanted = wanted != nullptr && std::string_view(wanted) == "no";
   return unwanted ? std::nullopt : runner.find("bwrap");
+}
+
+/// Whether POV-Ray came to the limit of memory that it runs under.
+bool is_out_of_memory(std::string_view said) {
+  constexpr std::array words{"bad_alloc", "ut of memory", "annot allocate memory"};
+  return std::ranges::any_of(words, [&](const char* word) { return said.find(word) != said.npos; });
+}
+
+Error out_of_memory(const fs::path& folder) {
+  return Error::outside_program(folder.string() + ": POV-Ray needs more memory than it may take",
+                                "raise --memory-limit, render fewer pictures at once (--threads 1) "
+                                "or use smaller textures");
 }
 
 Error killed(int signal) {
@@ -159,6 +172,10 @@ Error povray_error(const fs::path& folder, int exit_code, std::string_view fatal
   if (exit_code > 128) {
     return killed(exit_code - 128);
   }
+  const auto& remarks = console.remarks();
+  if (is_out_of_memory(fatal_text) || std::ranges::any_of(remarks, is_out_of_memory)) {
+    return out_of_memory(folder);
+  }
   if (const std::optional<Failure> failure = failure_in(fatal_text)) {
     const std::string place = failure->file.empty()
                                   ? folder.string()
@@ -167,7 +184,7 @@ Error povray_error(const fs::path& folder, int exit_code, std::string_view fatal
                                   "mend the template, or make the scene again");
   }
   std::string said;
-  for (const std::string& line : console.remarks()) {
+  for (const std::string& line : remarks) {
     said += said.empty() ? line : " / " + line;
   }
   return Error::outside_program(folder.string() + ": POV-Ray failed with exit code " +

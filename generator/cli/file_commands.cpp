@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
+#include "cli/read_mesh.h"
 #include "fitting/shape_cache.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
@@ -30,8 +31,7 @@ void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& ter
 
 void export_distances(const fs::path& mesh_path, const fs::path& sdf, int resolution,
                       Terminal& terminal) {
-  Mesh mesh = read_obj(mesh_path, terminal).mesh;
-  orient(mesh);
+  const Mesh mesh = read_mesh(mesh_path, Repair::orient, terminal).mesh;
   const MeshTarget target(mesh);
   write_distance_grid(sdf, sample_distance_grid(target.solid(), target.box(), resolution));
 }
@@ -87,9 +87,7 @@ Mesh covering_of(const Mesh& mesh) {
 }
 
 void write_covering(const fs::path& obj, const fs::path& path, Terminal& terminal) {
-  Mesh mesh = read_obj(obj, terminal).mesh;
-  orient(mesh);
-  write_obj(path, covering_of(mesh), "");
+  write_obj(path, covering_of(read_mesh(obj, Repair::orient, terminal).mesh), "");
   fmt::print("{}\n", path.string());
 }
 

@@ -6,9 +6,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/read_mesh.h"
 #include "cli/version.h"
-#include "geometry/mesh_check.h"
-#include "geometry/mesh_file.h"
 #include "scene/sculpture_file.h"
 
 namespace collage {
@@ -16,16 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Mesh read_input(const fs::path& folder, const Sculpture::Input& input) {
+Mesh read_input(const fs::path& folder, const Sculpture::Input& input, Repair repair) {
   const fs::path path = folder / input.path;
   if (sha256(read_file(path)) != input.sha256) {
     throw Error({path}, "is not the file that the sculpture was made from",
                 "put the original back, or pack the scene again");
   }
   Status silent;  // what there was to say of the mesh was said when it was packed
-  Mesh mesh = read_obj(path, silent).mesh;
-  orient(mesh);
-  return mesh;
+  return read_mesh(path, repair, silent).mesh;
 }
 
 /// Reads meshes at the same time; of several that fail, it is the first one that is heard of.
@@ -33,12 +30,14 @@ class MeshReading {
  public:
   explicit MeshReading(const fs::path& folder) : folder_(folder) {}
 
-  void add(const Sculpture::Input& input, Mesh& mesh) { jobs_.push_back({&input, &mesh, {}}); }
+  void add(const Sculpture::Input& input, Repair repair, Mesh& mesh) {
+    jobs_.push_back({&input, repair, &mesh, {}});
+  }
 
   void run() {
     tbb::parallel_for_each(jobs_, [this](Job& job) {
       try {
-        *job.mesh = read_input(folder_, *job.input);
+        *job.mesh = read_input(folder_, *job.input, job.repair);
       } catch (...) {
         job.failure = std::current_exception();
       }
@@ -53,6 +52,7 @@ class MeshReading {
  private:
   struct Job {
     const Sculpture::Input* input;
+    Repair repair;
     Mesh* mesh;
     std::exception_ptr failure;
   };
@@ -79,13 +79,13 @@ FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
 
   MeshReading reading(folder);
   for (std::size_t e = 0; e < finished.elements.size(); ++e) {
-    reading.add(sculpture.elements[e], finished.elements[e]);
+    reading.add(sculpture.elements[e], sculpture.options.elements[e].repair, finished.elements[e]);
   }
   for (std::size_t k = 0; k < finished.props.size(); ++k) {
-    reading.add(sculpture.props[k], finished.props[k]);
+    reading.add(sculpture.props[k], Repair::orient, finished.props[k]);
   }
   if (sculpture.options.target.sdf.empty()) {
-    reading.add(sculpture.target, finished.target.emplace());
+    reading.add(sculpture.target, sculpture.options.target.repair, finished.target.emplace());
   }
   reading.run();
   if (status.stop_requested()) {

@@ -17,10 +17,9 @@
 #include "base/text.h"
 #include "cli/data_folder.h"
 #include "cli/prepare_packing.h"
+#include "cli/read_mesh.h"
 #include "cli/stop_signals.h"
 #include "cli/version.h"
-#include "geometry/mesh_check.h"
-#include "geometry/mesh_file.h"
 #include "packing/pack.h"
 #include "scene/copy_inputs.h"
 #include "scene/povray_writer.h"
@@ -31,19 +30,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mesh as it was read, put right.
-MeshFile read_mesh(const fs::path& path, Status& status) {
-  MeshFile file = read_obj(path, status);
-  const std::string repairs = text_of(orient(file.mesh));
-  if (!repairs.empty()) {
-    status.note(path.filename().string() + ": " + repairs);
-  }
-  return file;
-}
-
 /// The mesh of a target or an element, which comes from files or from letters.
-MeshFile shape(const fs::path& mesh, const LetterOptions& text, Status& status) {
-  return text.string.empty() ? read_mesh(mesh, status) : MeshFile{make_letters(text, status), {}};
+template <class Owner>
+MeshFile shape(const Owner& wanted, Status& status) {
+  return wanted.text.string.empty() ? read_mesh(wanted.mesh, wanted.repair, status)
+                                    : MeshFile{make_letters(wanted.text, status), {}};
 }
 
 /// All that is read before anything is placed. Ingredients refer to the elements, and elements to
@@ -69,7 +60,7 @@ struct Workshop {
 
 void Workshop::read_target(const Scene::Target& wanted, Status& status) {
   if (wanted.sdf.empty()) {
-    MeshFile file = shape(wanted.mesh, wanted.text, status);
+    MeshFile file = shape(wanted, status);
     target_files = file.files;
     target_mesh = std::move(file.mesh);
     target = std::make_unique<MeshTarget>(target_mesh);
@@ -86,11 +77,11 @@ Workshop::Workshop(const Scene& scene, Status& status) {
     if (status.stop_requested()) {
       throw Interrupted();
     }
-    element_files.push_back(shape(wanted.mesh, wanted.text, status));
+    element_files.push_back(shape(wanted, status));
   }
   read_target(scene.target, status);
   for (const std::string& prop : scene.render.props) {
-    props.push_back(read_mesh(prop, status));
+    props.push_back(read_mesh(prop, Repair::orient, status));
   }
   elements.resize(count);
   constexpr std::size_t few = 8;

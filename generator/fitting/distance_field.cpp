@@ -22,7 +22,8 @@ float DistanceField::value(const glm::vec3& steps, glm::vec3& direction) const {
   const float front = mix(v0, v1, part.y);
   const float back = mix(w0, w1, part.y);
   const glm::vec3 slope(along_x, mix(v1 - v0, w1 - w0, part.z), back - front);
-  direction = slope / (std::sqrt(glm::dot(slope, slope)) + 1e-12F);
+  constexpr float not_zero = std::numeric_limits<float>::min();
+  direction = slope / (std::sqrt(glm::dot(slope, slope)) + not_zero);
   return mix(front, back, part.z);
 }
 

@@ -16,6 +16,10 @@ constexpr double largest_picture = 16384.0;
 
 constexpr const char* mesh_places =
     "starting from the scene's folder, or \"LIBRARY:PATH\" for one of a mesh library";
+constexpr const char* repair_help =
+    "whether faces of the mesh are turned so that they agree and its parts face outwards, or taken "
+    "as the file has them";
+const std::vector<std::string> repair_words{"orient", "none"};
 const std::vector<std::string> qualities{"draft", "standard", "fine"};
 const std::vector<std::string> looks{"studio", "daylight", "clay", "x-ray", "breakdown"};
 const std::vector<std::string> views{"front", "three-quarter", "right", "back", "left", "top"};
@@ -59,6 +63,8 @@ void append_target_options(std::vector<Option>& table) {
       table, "target", "letters to fill, instead of a mesh",
       [](auto... arguments) { return option(std::move(arguments)...); },
       [](auto& scene) -> auto& { return scene.target.text; });
+  table.push_back(option("target.repair", [](auto& s) -> auto& { return s.target.repair; },
+                         {.help = repair_help, .words = repair_words}));
   table.push_back(option("target.resolution", [](auto& s) -> auto& { return s.target.resolution; },
                          {.minimum = 1,
                           .maximum = 2048,
@@ -79,6 +85,8 @@ void append_element_options(std::vector<Option>& table) {
       table, "element", "letters to fill with, instead of a mesh",
       [](auto... arguments) { return element_option(std::move(arguments)...); },
       [](auto& element) -> auto& { return element.text; });
+  table.push_back(element_option("element.repair", [](auto& e) -> auto& { return e.repair; },
+                                 {.help = repair_help, .words = repair_words}));
   table.push_back(
       element_option("element.scales", [](auto& e) -> auto& { return e.scales; },
                      {.minimum = 1e-6,

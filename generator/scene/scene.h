@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/letters.h"
+#include "geometry/mesh_check.h"
 #include "packing/options.h"
 #include "scene/finish.h"
 
@@ -21,6 +22,7 @@ struct Scene {
     std::filesystem::path mesh;
     std::filesystem::path sdf;
     LetterOptions text;
+    Repair repair = Repair::orient;
     int resolution = 100;
     double jitter = 0.5;
   };
@@ -28,6 +30,7 @@ struct Scene {
     /// Exactly one of the two is set; letters by their string.
     std::filesystem::path mesh;
     LetterOptions text;
+    Repair repair = Repair::orient;
     std::vector<double> scales{1.0};
     double weight = 1.0;
     double left = 0.0;

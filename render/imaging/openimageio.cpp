@@ -47,17 +47,6 @@ OIIO::ImageSpec frame_spec(const Picture& frame, double frames_per_second) {
   return spec;
 }
 
-/// A PNG without its last chunk was cut short. libpng would say so on stderr.
-bool is_cut_short(std::string_view bytes) {
-  constexpr std::string_view first_bytes = "\x89PNG";
-  constexpr std::string_view last_bytes = "IEND\xAE\x42\x60\x82";
-  return bytes.starts_with(first_bytes) && !bytes.ends_with(last_bytes);
-}
-
-Error not_whole(const fs::path& path, const std::string& reason) {
-  return {{path}, "is not a whole picture: " + reason, "make it again"};
-}
-
 OIIO::ImageBuf wrapped(const Picture& picture) {
   return {OIIO::ImageSpec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::FLOAT),
           const_cast<float*>(picture.values.data())};
@@ -122,10 +111,8 @@ class Gif : public Imaging::Film {
 
 class OpenImageIo : public Imaging {
  public:
-  [[nodiscard]] Picture decoded(std::string_view bytes, const fs::path& path) const override {
-    if (is_cut_short(bytes)) {
-      throw not_whole(path, "its end is missing");
-    }
+  [[nodiscard]] Picture decoded(std::string_view bytes, const fs::path& path,
+                                const SizeCheck& check_size) const override {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     const std::unique_ptr<OIIO::ImageInput> input =
         OIIO::ImageInput::open("picture" + path.extension().string(), nullptr, &memory);
@@ -134,6 +121,7 @@ class OpenImageIo : public Imaging {
       throw Error({path}, "is not a picture that can be read", "name a PNG or EXR file");
     }
     const OIIO::ImageSpec& spec = input->spec();
+    check_size(spec.image_pixels(), spec.nchannels);
     Picture picture;
     picture.width = spec.width;
     picture.height = spec.height;
@@ -143,7 +131,9 @@ class OpenImageIo : public Imaging {
     picture.key = spec.get_string_attribute(key_name);
     picture.values.resize(picture.pixels() * static_cast<std::size_t>(picture.channels));
     if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, picture.values.data())) {
-      throw not_whole(path, input->geterror());
+      const std::string reason = input->geterror();
+      throw Error({path}, "is not a whole picture: " + reason.substr(0, reason.find('\n')),
+                  "make it again");
     }
     return picture;
   }

@@ -68,6 +68,21 @@ TEST_P(PictureFile, one_cut_short_is_an_error) {
   EXPECT_THAT(error_of([&] { read_picture(path("a")); }), HasSubstr("is not a picture"));
 }
 
+TEST(PictureFileErrors, a_png_with_any_bit_turned_is_an_error_and_nothing_else_is_said) {
+  const TestFolder folder;
+  write_picture(folder / "a.png", gradient(PictureFormat::png));
+  const std::string whole = read_file(folder / "a.png");
+  ::testing::internal::CaptureStderr();
+  for (std::size_t at = 0; at < whole.size(); at += 97) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    write_file(folder / "b.png", damaged);
+    EXPECT_THAT(error_of([&] { read_picture(folder / "b.png"); }), HasSubstr("b.png: is not"))
+        << at;
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, PictureFile,
                          ::testing::Values(PictureFormat::png, PictureFormat::exr));
 

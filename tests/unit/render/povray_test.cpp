@@ -148,6 +148,18 @@ TEST(PovrayError, without_a_message_quotes_the_console) {
                "Render failed; check the folder's permissions and free space");
 }
 
+TEST(PovrayError, the_limit_of_memory_is_said_as_such) {
+  const std::string wanted =
+      "out: POV-Ray needs more memory than it may take; raise --memory-limit";
+  EXPECT_THAT(
+      povray_error("out", 1, "File: a.pov  Line: 7\nFatal Error: std::bad_alloc\n", {}).what(),
+      HasSubstr(wanted));
+  PovrayConsole console;
+  console.read_line("==== [Rendering...] ====");
+  console.read_line("Fatal error in renderer: Out of memory.");
+  EXPECT_THAT(povray_error("out", 1, "", console).what(), HasSubstr(wanted));
+}
+
 TEST(PovrayError, being_killed_is_told_from_failing) {
   EXPECT_THAT(povray_error("out", 137, "", {}).what(), HasSubstr("ran out of memory"));
   EXPECT_THAT(povray_error("out", 139, "", {}).what(), HasSubstr("ended by signal 11"));

@@ -144,10 +144,10 @@ TEST_F(RenderByFake, a_failure_ends_the_others_and_leaves_no_temporary_files) {
   FakeRunner::Answer endless;
   endless.never_ends = true;
   answer(endless);
-  answer({.lines = {"==== [Parsing...] ====", "Out of memory.", "Render failed"}, .exit_code = 1});
+  answer({.lines = {"==== [Parsing...] ====", "Cannot go on.", "Render failed"}, .exit_code = 1});
   EXPECT_EQ(error_of([&] { render(2); }),
             folder_.path().string() +
-                ": POV-Ray failed with exit code 1: Out of memory. / Render "
+                ": POV-Ray failed with exit code 1: Cannot go on. / Render "
                 "failed; check the folder's permissions and free space");
   EXPECT_EQ(runner_.stopped, 1U);
   EXPECT_THAT(hidden_files(), ::testing::IsEmpty());

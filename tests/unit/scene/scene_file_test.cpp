@@ -51,6 +51,7 @@ TEST_F(SceneFile, ReadsAllKindsOfValues) {
 mesh = "body.obj"
 resolution = 64
 jitter = 1
+repair = "none"
 [[element]]
 mesh = "cup.obj"
 scales = [1, 0.5]
@@ -76,6 +77,8 @@ stages = [0.02, 0.2, 1]
 )");
   EXPECT_EQ(scene.target.resolution, 64);
   EXPECT_EQ(scene.target.jitter, 1.0);
+  EXPECT_EQ(scene.target.repair, Repair::none);
+  EXPECT_EQ(scene.elements.at(0).repair, Repair::orient);
   EXPECT_EQ(scene.elements.at(0).scales, (std::vector<double>{1, 0.5}));
   EXPECT_EQ(scene.elements.at(0).color, "#c8102e");
   EXPECT_EQ(scene.elements.at(1).weight, 2.5);
