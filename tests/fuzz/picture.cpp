@@ -1,3 +1,4 @@
+#include "base/memory.h"
 #include "fuzz.h"
 #include "render/compare.h"
 
@@ -5,6 +6,7 @@ using namespace collage;
 
 /// A picture as both sides of a comparison, once as PNG and once as OpenEXR.
 COLLAGE_FUZZ_TARGET(input) {
+  limit_memory(std::uint64_t{1} << 30);
   for (const char* name : {"picture.png", "picture.exr"}) {
     fuzz::accepting_errors([&] {
       const auto path = fuzz::file_with(input, name);
