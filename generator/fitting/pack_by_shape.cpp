@@ -41,10 +41,10 @@ class ShapePacker {
   [[nodiscard]] double apart(double clearance) const;
   [[nodiscard]] double least_radius(const Kind& kind, const dvec3& at) const;
 
-  [[nodiscard]] std::optional<std::uint32_t> next_kind() const;
+  [[nodiscard]] std::optional<std::uint32_t> next_kind();
   [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind,
                                                           const Pose& pose) const;
-  bool is_ready(Vacancy& vacancy) { return fitter_.is_ready(vacancy, kinds_[vacancy.shape]); }
+  [[nodiscard]] std::optional<Id> next_vacancy(std::uint32_t kind);
   void open_batch(std::uint32_t kind, const Status& status);
   void open(Vacancy& vacancy, std::uint64_t stream);
   void fill(Id id);
@@ -152,8 +152,25 @@ void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
   }
 }
 
+/// The most promising place of a kind, with a pose that still fits or without one. Those that have
+/// lost theirs to what has come near are put back for what is left of such places as a rule, and
+/// wait for their turn: opened at once they would lose the next pose too.
+std::optional<ShapePacker::Id> ShapePacker::next_vacancy(std::uint32_t k) {
+  constexpr double left = 0.87;
+  while (const auto id = queue_.top(k)) {
+    Vacancy& vacancy = queue_[*id];
+    if (!vacancy.has_pose || fitter_.is_ready(vacancy, kinds_[k])) {
+      return id;
+    }
+    queue_.pop(k);
+    vacancy.key *= left;
+    queue_.push(*id);
+  }
+  return std::nullopt;
+}
+
 /// The kind to fill the next place with.
-std::optional<std::uint32_t> ShapePacker::next_kind() const {
+std::optional<std::uint32_t> ShapePacker::next_kind() {
   if (options_.choose != Choose::largest) {
     std::vector<char> available(ingredients_.size());
     for (std::size_t e = 0; e < available.size(); ++e) {
@@ -165,7 +182,7 @@ std::optional<std::uint32_t> ShapePacker::next_kind() const {
   std::optional<std::uint32_t> best;
   double largest = 0.0;
   for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
-    const auto top = queue_.top(k);
+    const auto top = next_vacancy(k);
     if (top && queue_[*top].key > largest) {
       best = k;
       largest = queue_[*top].key;
@@ -201,8 +218,8 @@ void ShapePacker::open_batch(std::uint32_t k, const Status& status) {
   const double first_key = queue_[*queue_.top(k)].key;
   const std::size_t most = status.finish_requested() ? 1 : batch;
   while (count < most) {
-    const auto id = queue_.top(k);
-    if (!id || queue_[*id].key < comparable * first_key || is_ready(queue_[*id])) {
+    const auto id = next_vacancy(k);
+    if (!id || queue_[*id].key < comparable * first_key || queue_[*id].has_pose) {
       break;
     }
     queue_.pop(k);
@@ -343,14 +360,14 @@ void ShapePacker::report(double key, Status& status) {
 /// Fills places until none is left, or it is asked to finish.
 void ShapePacker::work_off(Status& status) {
   while (const auto kind = next_kind()) {
-    const Id id = *queue_.top(*kind);
+    const Id id = *next_vacancy(*kind);
     first_key_ = std::max(first_key_, queue_[id].key);
     report(queue_[id].key, status);
     if (placed_.size() > 0 && status.finish_requested()) {
       complete_ = false;
       return;
     }
-    if (is_ready(queue_[id])) {
+    if (queue_[id].has_pose) {
       fill(id);
     } else {
       open_batch(*kind, status);

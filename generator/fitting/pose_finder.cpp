@@ -121,8 +121,10 @@ std::span<const Pose> PoseFinder::find_linked(const Request& request, const Open
 }
 
 std::span<const Pose> PoseFinder::refine(const Request& request, Rng& rng) {
-  // A start that has come half as far as the best, or as need be, may still get there.
+  // A start that has come half as far as the best, or as need be, may still get there; few spheres
+  // reach so far beyond the element that all of them may make it a third larger.
   constexpr double hopeful = 0.55;
+  constexpr double enough = 0.77;
   constexpr double worth_refining = 0.85;
   double best_radius = 0.0;
   for (Pose& pose : poses_) {
@@ -139,7 +141,7 @@ std::span<const Pose> PoseFinder::refine(const Request& request, Rng& rng) {
   double largest = 0.0;
   const auto most = static_cast<std::size_t>(finalists * std::sqrt(request.effort));
   for (std::size_t i = 0; i < std::min(most, poses_.size()); ++i) {
-    if (poses_[i].radius < hopeful * request.least_radius ||
+    if (poses_[i].radius < enough * request.least_radius ||
         poses_[i].radius < worth_refining * hopeful * largest) {
       break;
     }

@@ -17,6 +17,7 @@ constexpr std::size_t surface_samples = 7000;
 constexpr std::size_t most_vertices = 4000;
 constexpr double lattice_points = 3000.0;
 constexpr double finest_lattice = 0.045;
+constexpr std::size_t word = 64;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double depth_at(const Solid& solid, const dvec3& point) {
@@ -56,6 +57,7 @@ SphereCoverer::SphereCoverer(const Solid& solid, const Mesh& unit_mesh) {
   add_samples(unit_mesh);
   add_lattice(solid);
   add_candidates(solid);
+  group_samples(0, samples_.size());
 }
 
 void SphereCoverer::add_samples(const Mesh& unit_mesh) {
@@ -82,15 +84,19 @@ void SphereCoverer::add_lattice(const Solid& solid) {
   const double volume = solid.volume() / std::pow(solid.radius(), 3.0);
   const double side = std::max(finest_lattice, std::cbrt(std::abs(volume) / lattice_points));
   const int n = static_cast<int>(1.0 / side);
-  for (int k = -n; k <= n; ++k) {
+  std::vector<std::vector<dvec3>> layers(static_cast<std::size_t>(2 * n + 1));
+  tbb::parallel_for(-n, n + 1, [&](int k) {
     for (int j = -n; j <= n; ++j) {
       for (int i = -n; i <= n; ++i) {
         const dvec3 point = side * dvec3(i, j, k);
         if (solid.inside(point)) {
-          lattice_.push_back(point);
+          layers[static_cast<std::size_t>(k + n)].push_back(point);
         }
       }
     }
+  });
+  for (const std::vector<dvec3>& layer : layers) {
+    lattice_.insert(lattice_.end(), layer.begin(), layer.end());
   }
   samples_.insert(samples_.end(), lattice_.begin(), lattice_.end());
 }
@@ -107,16 +113,45 @@ void SphereCoverer::add_candidates(const Solid& solid) {
   }
 }
 
+void SphereCoverer::group_samples(std::size_t first, std::size_t last) {
+  const auto begin = samples_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = samples_.begin() + static_cast<std::ptrdiff_t>(last);
+  Box box;
+  std::for_each(begin, end, [&](const dvec3& sample) { box.include(sample); });
+  if (last - first > word) {
+    const std::size_t half = (last - first) / 2;
+    const std::size_t middle = first + (half + word - 1) / word * word;
+    const dvec3 e = box.extent();
+    const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+    std::nth_element(begin, samples_.begin() + static_cast<std::ptrdiff_t>(middle), end,
+                     [axis](const dvec3& a, const dvec3& b) { return a[axis] < b[axis]; });
+    group_samples(first, middle);
+    group_samples(middle, last);
+  } else if (first < last) {
+    groups_.push_back({box.center(), 0.5 * glm::length(box.extent())});
+  }
+}
+
 std::vector<SphereCoverer::Bits> SphereCoverer::covered_by_each(double bulge) const {
+  constexpr double rounding = 1e-9;
   std::vector<Bits> covered(candidates_.size());
   tbb::parallel_for(std::size_t{0}, candidates_.size(), [&](std::size_t c) {
     const Sphere& candidate = candidates_[c];
-    const double reach = (candidate.radius + bulge) * (candidate.radius + bulge);
+    const double radius = candidate.radius + bulge;
     Bits& bits = covered[c];
-    bits.assign((samples_.size() + 63) / 64, 0);
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
-      const dvec3 arm = samples_[s] - candidate.center;
-      bits[s / 64] |= std::uint64_t{glm::dot(arm, arm) <= reach} << (s % 64);
+    bits.assign(groups_.size(), 0);
+    for (std::size_t w = 0; w < groups_.size(); ++w) {
+      const Sphere& group = groups_[w];
+      const double distance = glm::distance(group.center, candidate.center);
+      if (distance + group.radius + rounding <= radius) {
+        bits[w] = ~std::uint64_t{0};
+      } else if (distance - group.radius - rounding <= radius) {
+        const std::size_t end = std::min(samples_.size(), (w + 1) * word);
+        for (std::size_t s = w * word; s < end; ++s) {
+          const dvec3 arm = samples_[s] - candidate.center;
+          bits[w] |= std::uint64_t{glm::dot(arm, arm) <= radius * radius} << (s % word);
+        }
+      }
     }
   });
   return covered;
@@ -124,9 +159,9 @@ std::vector<SphereCoverer::Bits> SphereCoverer::covered_by_each(double bulge) co
 
 std::vector<std::uint32_t> SphereCoverer::choose(double bulge, std::size_t limit) const {
   const std::vector<Bits> covered = covered_by_each(bulge);
-  Bits left((samples_.size() + 63) / 64, ~std::uint64_t{0});
-  if (samples_.size() % 64 != 0) {
-    left.back() >>= 64 - samples_.size() % 64;
+  Bits left(groups_.size(), ~std::uint64_t{0});
+  if (samples_.size() % word != 0) {
+    left.back() >>= word - samples_.size() % word;
   }
   const auto gain = [&](std::uint32_t candidate) {
     std::size_t count = 0;

@@ -40,13 +40,17 @@ class SphereCoverer {
   void add_samples(const Mesh& unit_mesh);
   void add_lattice(const Solid& solid);
   void add_candidates(const Solid& solid);
+  /// Puts samples from `first` to before `last` in an order in which neighbours share a word.
+  void group_samples(std::size_t first, std::size_t last);
   [[nodiscard]] std::vector<Bits> covered_by_each(double bulge) const;
   /// Greedily, the sphere that covers most of what is left first; empty where over `limit` are
   /// needed.
   [[nodiscard]] std::vector<std::uint32_t> choose(double bulge, std::size_t limit) const;
 
-  /// Points of the surface and their normals come first, `normals_` has as many.
+  /// Until they are grouped, points of the surface come first, as many as there are normals.
   std::vector<dvec3> samples_;
+  /// Round the samples of each word of Bits.
+  std::vector<Sphere> groups_;
   std::vector<dvec3> normals_;
   std::vector<dvec3> corners_;
   std::vector<dvec3> lattice_;

@@ -26,6 +26,7 @@ std::span<const StarterModel> starter_models() {
       StarterModel{"cereal-puff", "a puffed, lumpy ball", make_cereal_puff},
       StarterModel{"chair", "a turned chair with spindles", make_chair},
       StarterModel{"chair-target", "a stout chair with slats, to be filled", make_chair_target},
+      StarterModel{"drape", "a cloth that hangs over a ball, to be filled", make_drape},
       StarterModel{"topmod1-a", "a cube with handles", make_handled_cube},
       StarterModel{"topmod1-b", "an octahedron with handles", make_handled_octahedron},
       StarterModel{"topmod1-c", "a tetrahedron with handles", make_handled_tetrahedron},

@@ -63,6 +63,9 @@ Mesh make_chair();
 /// A chair to fill: one part, with stout legs, rails and slats, 2 tall.
 Mesh make_chair_target();
 
+/// A thin cloth over a ball of radius 1 that is not there, hanging down in folds to y = 0.
+Mesh make_drape();
+
 // Three families of shapes of high genus, after those that Muhm 2011, Fig. 20, made in TopMod
 // (Akleman et al. 2008, "TopMod3D: an interactive topological mesh modeler"); each about 2 wide
 // and lacquered. The targets are finer and fuller than the elements beside them.
