@@ -19,7 +19,7 @@ struct PackingOptions {
   double largest = 1.0;
   Scaling scaling = Scaling::fixed;
   Choose choose = Choose::largest;
-  Fit fit = Fit::sphere;
+  Fit fit = Fit::shape;
   Linking linking = Linking::allow;
   Distance distance = Distance::exact;
   double spacing = 0.0;
