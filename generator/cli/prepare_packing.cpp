@@ -99,8 +99,13 @@ void refuse_stretches(const Scene& scene) {
   }
 }
 
-/// Where distances may be too large, the way to a wider hole may lead through a surface.
-void refuse_climbing_by_vertices(const Scene& scene) {
+/// Only holes of spheres have a centre, and where distances may be too large, the way to a wider
+/// hole may lead through a surface.
+void require_sound_climbing(const Scene& scene) {
+  if (scene.packing.climb && scene.packing.fit == Fit::shape) {
+    throw Error({scene.file}, "packing.climb does not go with packing.fit = \"shape\"",
+                "use packing.fit = \"sphere\"");
+  }
   if (scene.packing.climb && scene.packing.distance == Distance::vertices) {
     throw Error({scene.file}, "packing.climb does not go with packing.distance = \"vertices\"",
                 "use packing.distance = \"exact\"");
@@ -168,7 +173,7 @@ void require_memory_for(const Scene& scene, const PackingInput& input) {
 std::function<Packing(Status&)> prepare_packing(const Scene& scene, const PackingInput& input,
                                                 Status& status) {
   require_stretches(scene);
-  refuse_climbing_by_vertices(scene);
+  require_sound_climbing(scene);
   require_memory_for(scene, input);
   if (scene.packing.fit == Fit::shape) {
     refuse_stretches(scene);
