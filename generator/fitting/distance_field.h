@@ -92,7 +92,8 @@ class DistanceMinima {
   /// No more than the field's value at a place that it holds.
   [[nodiscard]] float below(const glm::vec3& steps) const {
     const glm::ivec3 block = glm::ivec3(steps) / cells;
-    return values_[static_cast<std::size_t>((block.z * blocks_.y + block.y) * blocks_.x + block.x)];
+    const int index = (block.z * blocks_.y + block.y) * blocks_.x + block.x;
+    return values_[static_cast<std::size_t>(index)];
   }
 
  private:

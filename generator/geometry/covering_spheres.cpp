@@ -84,13 +84,15 @@ void SphereCoverer::add_lattice(const Solid& solid) {
   const double volume = solid.volume() / std::pow(solid.radius(), 3.0);
   const double side = std::max(finest_lattice, std::cbrt(std::abs(volume) / lattice_points));
   const int n = static_cast<int>(1.0 / side);
-  std::vector<std::vector<dvec3>> layers(static_cast<std::size_t>(2 * n + 1));
-  tbb::parallel_for(-n, n + 1, [&](int k) {
+  const std::size_t count = 2 * static_cast<std::size_t>(n) + 1;
+  std::vector<std::vector<dvec3>> layers(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t layer) {
+    const int k = static_cast<int>(layer) - n;
     for (int j = -n; j <= n; ++j) {
       for (int i = -n; i <= n; ++i) {
         const dvec3 point = side * dvec3(i, j, k);
         if (solid.inside(point)) {
-          layers[static_cast<std::size_t>(k + n)].push_back(point);
+          layers[layer].push_back(point);
         }
       }
     }
