@@ -104,7 +104,7 @@ class Batch {
                       .memory_bytes = std::max(
                           memory_to_take() / static_cast<std::uint64_t>(at_once), least_memory)};
     done_ = total_ - tasks.size();
-    std::future<void> loading;
+    std::shared_future<void> loading;
     auto next = tasks.begin();
     while (next != tasks.end() || !runs_.empty()) {
       while (next != tasks.end() && static_cast<int>(runs_.size()) < at_once) {
@@ -115,6 +115,7 @@ class Batch {
       }
       report();
       if (const auto finished = wait_or_stop(tools_.runner, tools_.status)) {
+        loading.get();  // else a library that cannot be loaded would pass for a broken picture
         finish(*finished);
       }
     }

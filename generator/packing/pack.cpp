@@ -170,7 +170,8 @@ void Packer::find_holes() {
     if (!find_largest_hole(next)) {
       break;
     }
-    // Climbing may move the centre by the reach and add as much to the clearance.
+    // Climbing may move the centre by the reach and add as much to the clearance, which counts
+    // twice; twice the reach is the margin of the update.
     next.footprint = footprint(field_.grid(), next.hole, 5.0 * climb_reach_);
     const bool meets_another =
         std::any_of(fillings_.begin(), fillings_.begin() + static_cast<std::ptrdiff_t>(count_),
