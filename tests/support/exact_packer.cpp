@@ -24,17 +24,18 @@ std::pair<glm::ivec3, glm::ivec3> voxels_within(const VoxelGrid& grid, const dve
           glm::ivec3(glm::clamp(to, dvec3(0.0), end))};
 }
 
-/// PlacedElement::distance() without a hint.
-float distance(const Element& element, double radius, const dvec3& unit, double limit) {
+/// PlacedElement::distance() in another way.
+float world_distance(const PlacedElement& placed, const dvec3& unit, double limit,
+                     const ExactDistance& distance) {
   const double error = ClosestPointIndex::error(unit);
-  const auto closest = element.distance_index().find(unit, limit / radius + error);
-  return closest ? rounded_down(std::max(0.0, closest->distance - error) * radius)
-                 : std::numeric_limits<float>::infinity();
+  const auto found = distance(placed.element(), unit, limit / placed.radius() + error);
+  return found ? rounded_down(std::max(0.0, *found - error) * placed.radius())
+               : std::numeric_limits<float>::infinity();
 }
 
 std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& block,
                          const glm::ivec3& from, const glm::ivec3& to, const PlacedElement& placed,
-                         SurfaceId id) {
+                         SurfaceId id, const ExactDistance& distance) {
   const glm::ivec3 first = glm::max(from - block.first_voxel, glm::ivec3(0));
   const glm::ivec3 last = glm::min(to - block.first_voxel, glm::ivec3(VoxelGrid::block_side));
   std::size_t flagged = 0;
@@ -54,7 +55,7 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
           ++flagged;
           continue;
         }
-        const float nearer = distance(placed.element(), placed.radius(), unit, clearance);
+        const float nearer = world_distance(placed, unit, clearance, distance);
         if (nearer < clearance) {
           clearance = nearer;
           block.nearest[slot] = NearestSurface(id);
@@ -67,8 +68,13 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
 
 }  // namespace
 
+std::optional<double> indexed_distance(const Element& element, const dvec3& unit, double limit) {
+  const auto closest = element.distance_index().find(unit, limit);
+  return closest ? std::optional(closest->distance) : std::nullopt;
+}
+
 std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id,
-                         const Hole& hole) {
+                         const Hole& hole, const ExactDistance& distance) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(id);
   const auto [from, to] = voxels_within(grid, placed.center(), placed.radius() + hole.clearance);
@@ -88,7 +94,7 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
   std::vector<std::size_t> flagged(blocks.size());
   std::vector<float> maxima(blocks.size());
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    flagged[b] = update_block(grid, field.block(blocks[b]), from, to, placed, id);
+    flagged[b] = update_block(grid, field.block(blocks[b]), from, to, placed, id, distance);
     maxima[b] = field.scan_block(blocks[b]);
   });
   std::size_t total = 0;
@@ -100,7 +106,8 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
 }
 
 Packing exact_pack(const Target& target, ClearanceField& field,
-                   std::span<const Ingredient> ingredients, const PackingOptions& options) {
+                   std::span<const Ingredient> ingredients, const PackingOptions& options,
+                   const ExactDistance& distance) {
   const double longest_side = target.box().longest_side();
   const Placer placer(ingredients, options, target.box());
   std::vector<const Element*> elements;
@@ -132,7 +139,7 @@ Packing exact_pack(const Target& target, ClearanceField& field,
     }
     surfaces.instances.push_back(*instance);
     packing.voxels_inside_instances +=
-        exact_update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole);
+        exact_update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, distance);
     if (options.climb && field.block(peak->block).upper[peak->slot] == peak->upper) {
       field.close(*peak);
     }
