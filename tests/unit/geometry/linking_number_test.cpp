@@ -1,7 +1,10 @@
 #include "geometry/linking_number.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
@@ -46,6 +49,52 @@ TEST(LinkingNumber, CountsTurns) {
     }
     EXPECT_EQ(std::abs(linking_number(coil, circle(dvec3(0.0), x, y, 50))), turns);
   }
+}
+
+/// Points of a closed curve of low frequencies, drawn at random.
+Loop tangle(std::mt19937& random, int points) {
+  std::uniform_real_distribution<double> amplitude(-1.0, 1.0);
+  std::array<std::array<dvec3, 2>, 4> waves;
+  for (auto& wave : waves) {
+    for (dvec3& part : wave) {
+      part = {amplitude(random), amplitude(random), amplitude(random)};
+    }
+  }
+  Loop loop;
+  for (int i = 0; i < points; ++i) {
+    dvec3 point(0.0);
+    for (std::size_t k = 0; k < waves.size(); ++k) {
+      const double angle = glm::two_pi<double>() * static_cast<double>(k + 1) * i / points;
+      point += std::cos(angle) * waves[k][0] + std::sin(angle) * waves[k][1];
+    }
+    loop.push_back(point);
+  }
+  return loop;
+}
+
+TEST(LinkingNumber, IsThatByGaussIntegral) {
+  std::mt19937 random(1);
+  int largest = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Loop a = tangle(random, 40 + i);
+    const Loop b = tangle(random, 130);
+    const int number = linking_number(a, b);
+    EXPECT_EQ(number, linking_number_by_solid_angles(a, b)) << i;
+    EXPECT_EQ(number, linking_number(b, a)) << i;
+    largest = std::max(largest, std::abs(number));
+  }
+  EXPECT_GE(largest, 3);
+}
+
+/// Seen from where corners hide one another.
+TEST(LinkingNumber, IsSureWherePointsHideOneAnother) {
+  const dvec3 along(-0.37139, -0.23171, 1.0);
+  const Loop a{dvec3(0.0), x, x + y, y};
+  const Loop through{dvec3(0.5, 0.5, 0.0) - along, dvec3(0.5, 0.5, 0.0) + along, 4.0 * x};
+  EXPECT_EQ(std::abs(linking_number(a, through)), 1);
+  const Loop behind{2.0 * along, x + 2.0 * along, x + y + 2.0 * along, y + 2.0 * along};
+  EXPECT_EQ(linking_number(a, behind), 0);
+  EXPECT_EQ(linking_number(a, {}), 0);
 }
 
 TEST(HandleLoops, ThereAreTwoForEachHandle) {
