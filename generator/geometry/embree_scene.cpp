@@ -13,7 +13,7 @@ RTCDevice embree_device() {
   return instance;
 }
 
-EmbreeScene::EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags)
+EmbreeScene::EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags, Build build)
     : scene_(rtcNewScene(embree_device())) {
   for (unsigned id = 0; id < geometries.size(); ++id) {
     rtcCommitGeometry(geometries[id]);
@@ -22,8 +22,27 @@ EmbreeScene::EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags 
   }
   rtcSetSceneFlags(scene_, flags);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+  if (build == Build::all_threads) {
+    rtcCommitScene(scene_);
+    return;
+  }
   tbb::task_arena one_thread(1);
   one_thread.execute([this] { rtcCommitScene(scene_); });
+}
+
+RTCRayHit EmbreeScene::closest(const RTCRay& ray) const {
+  RTCRayHit found;
+  found.ray = ray;
+  found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect1(scene_, &found);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_, &context, &found);
+#endif
+  return found;
 }
 
 bool EmbreeScene::occluded(RTCRay ray) const {

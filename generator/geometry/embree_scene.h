@@ -18,10 +18,13 @@ RTCDevice embree_device();
 /// An Embree scene.
 class EmbreeScene {
  public:
-  /// Takes the geometries over, numbers them from 0 and builds the hierarchy; on one thread, so
-  /// that it, and with it the choice between equally near triangles, does not depend on their
-  /// number.
-  EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags);
+  /// On one thread the hierarchy, and with it the choice between equally near triangles, does not
+  /// depend on their number; on all it is faster, for what is never equally near.
+  enum class Build { one_thread, all_threads };
+
+  /// Takes the geometries over, numbers them from 0 and builds the hierarchy.
+  EmbreeScene(std::span<const RTCGeometry> geometries, RTCSceneFlags flags,
+              Build build = Build::one_thread);
   EmbreeScene(RTCGeometry geometry, RTCSceneFlags flags)
       : EmbreeScene(std::span(&geometry, 1), flags) {}
   ~EmbreeScene() { rtcReleaseScene(scene_); }
@@ -29,6 +32,8 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
   [[nodiscard]] RTCScene get() const { return scene_; }
+  /// The ray as far as what it first meets; geometry RTC_INVALID_GEOMETRY_ID where that is nothing.
+  [[nodiscard]] RTCRayHit closest(const RTCRay& ray) const;
   /// True where the ray meets something between its `tnear` and `tfar`.
   [[nodiscard]] bool occluded(RTCRay ray) const;
 

@@ -1,8 +1,6 @@
 #include "geometry/instanced_scene.h"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
+#include <limits>
 #include <vector>
 
 #include "geometry/bounding_sphere.h"
@@ -12,8 +10,6 @@
 
 namespace collage {
 namespace {
-
-constexpr std::size_t width = 8;  // rays in one of Embree's packets
 
 /// A mesh within the unit ball.
 struct UnitShape {
@@ -39,55 +35,18 @@ RTCGeometry embree_instance(const UnitShape& shape, const Instance& instance) {
   return geometry;
 }
 
-/// Up to eight rays as Embree takes them; `valid` is -1 for each that there is.
-struct alignas(32) Packet {
-  std::array<int, width> valid{};
-  RTCRayHit8 rays;
-
-  explicit Packet(std::span<const Ray> given) {
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      valid[i] = -1;
-      rays.ray.org_x[i] = given[i].origin.x;
-      rays.ray.org_y[i] = given[i].origin.y;
-      rays.ray.org_z[i] = given[i].origin.z;
-      rays.ray.dir_x[i] = given[i].direction.x;
-      rays.ray.dir_y[i] = given[i].direction.y;
-      rays.ray.dir_z[i] = given[i].direction.z;
-      rays.ray.tnear[i] = 0.0F;
-      rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      rays.ray.time[i] = 0.0F;
-      rays.ray.mask[i] = ~0U;
-      rays.ray.id[i] = 0;
-      rays.ray.flags[i] = 0;
-      rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-      rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-  }
-
-  void intersect(RTCScene scene) {
-#if RTC_VERSION_MAJOR >= 4
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    rtcIntersect8(valid.data(), scene, &rays, &arguments);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect8(valid.data(), scene, &context, &rays);
-#endif
-  }
-
-  void occlude(RTCScene scene) {
-#if RTC_VERSION_MAJOR >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    rtcOccluded8(valid.data(), scene, &rays.ray, &arguments);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded8(valid.data(), scene, &context, &rays.ray);
-#endif
-  }
-};
+RTCRay embree_ray(const Ray& ray) {
+  RTCRay result{};
+  result.org_x = ray.origin.x;
+  result.org_y = ray.origin.y;
+  result.org_z = ray.origin.z;
+  result.dir_x = ray.direction.x;
+  result.dir_y = ray.direction.y;
+  result.dir_z = ray.direction.z;
+  result.tfar = std::numeric_limits<float>::infinity();
+  result.mask = ~0U;
+  return result;
+}
 
 }  // namespace
 
@@ -97,7 +56,7 @@ struct InstancedScene::Hierarchy {
 
   Hierarchy(std::span<const Mesh* const> elements, std::span<const Instance> instances)
       : shapes(shapes_of<UnitShape>(elements)),
-        scene(geometries(instances), RTC_SCENE_FLAG_ROBUST) {}
+        scene(geometries(instances), RTC_SCENE_FLAG_ROBUST, EmbreeScene::Build::all_threads) {}
 
   [[nodiscard]] std::vector<RTCGeometry> geometries(std::span<const Instance> instances) const {
     std::vector<RTCGeometry> result;
@@ -116,33 +75,16 @@ InstancedScene::~InstancedScene() = default;
 InstancedScene::InstancedScene(InstancedScene&&) noexcept = default;
 InstancedScene& InstancedScene::operator=(InstancedScene&&) noexcept = default;
 
-void InstancedScene::closest(std::span<const Ray> rays, std::span<RayHit> hits) const {
-  assert(rays.size() == hits.size());
-  for (std::size_t first = 0; first < rays.size(); first += width) {
-    const std::size_t count = std::min(width, rays.size() - first);
-    Packet packet(rays.subspan(first, count));
-    packet.intersect(hierarchy_->scene.get());
-    const RTCHit8& hit = packet.rays.hit;
-    for (std::size_t i = 0; i < count; ++i) {
-      hits[first + i] =
-          hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
-              ? RayHit{}
-              : RayHit{
-                    packet.rays.ray.tfar[i], hit.instID[0][i], hit.primID[i], {hit.u[i], hit.v[i]}};
-    }
-  }
+RayHit InstancedScene::closest(const Ray& ray) const {
+  const RTCRayHit found = hierarchy_->scene.closest(embree_ray(ray));
+  const RTCHit& hit = found.hit;
+  return hit.geomID == RTC_INVALID_GEOMETRY_ID
+             ? RayHit{}
+             : RayHit{found.ray.tfar, hit.instID[0], hit.primID, {hit.u, hit.v}};
 }
 
-void InstancedScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> stopped) const {
-  assert(rays.size() == stopped.size());
-  for (std::size_t first = 0; first < rays.size(); first += width) {
-    const std::size_t count = std::min(width, rays.size() - first);
-    Packet packet(rays.subspan(first, count));
-    packet.occlude(hierarchy_->scene.get());
-    for (std::size_t i = 0; i < count; ++i) {
-      stopped[first + i] = packet.rays.ray.tfar[i] < 0.0F ? 1 : 0;
-    }
-  }
+bool InstancedScene::occluded(const Ray& ray) const {
+  return hierarchy_->scene.occluded(embree_ray(ray));
 }
 
 }  // namespace collage

@@ -33,8 +33,7 @@ struct RayHit {
 /// Embree's instancing: each different mesh once, in a unit frame of its own, and a matrix a copy.
 /// All of it is float: with copies within a few units of the origin, what is nearer than 10⁻⁵ to
 /// the start of a ray, or passed by that much, may be judged either way.
-/// Build O(n log n) for n instances, about 1 µs and 600 bytes each. Rays that are side by side in a
-/// span and run alike are answered together, several times as fast as one by one.
+/// Build O(n log n) for n instances, about 1 µs and 600 bytes each, on all threads.
 class InstancedScene {
  public:
   /// The scales of `instances` are above 0. Neither argument is used after the constructor.
@@ -43,11 +42,9 @@ class InstancedScene {
   InstancedScene(InstancedScene&&) noexcept;
   InstancedScene& operator=(InstancedScene&&) noexcept;
 
-  /// hits[i] becomes what rays[i] first meets.
-  void closest(std::span<const Ray> rays, std::span<RayHit> hits) const;
-
-  /// stopped[i] becomes 1 where rays[i] meets anything at all, else 0.
-  void occluded(std::span<const Ray> rays, std::span<std::uint8_t> stopped) const;
+  [[nodiscard]] RayHit closest(const Ray& ray) const;
+  /// Whether the ray meets anything at all.
+  [[nodiscard]] bool occluded(const Ray& ray) const;
 
  private:
   struct Hierarchy;

@@ -76,8 +76,6 @@ FloorShadow::FloorShadow(const InstancedScene& sculpture, const Stand& stand,
   const std::size_t side = static_cast<std::size_t>(steps_) + 4;
   std::vector<double> single(side * side);
   tbb::parallel_for(std::size_t{0}, side, [&](std::size_t j) {
-    std::vector<Ray> rays(static_cast<std::size_t>(fineness.rays));
-    std::vector<std::uint8_t> is_stopped(rays.size());
     for (std::size_t i = 0; i < side; ++i) {
       const dvec3 share(place(static_cast<double>(i) - 1.5), 0.0,
                         place(static_cast<double>(j) - 1.5));
@@ -87,11 +85,9 @@ FloorShadow::FloorShadow(const InstancedScene& sculpture, const Stand& stand,
       }
       const dvec3 point = turned(radius_ * share, bearing);
       const std::vector<dvec3>& toward = toward_light[i % 2 + 2 * (j % 2)];
-      std::ranges::transform(toward, rays.begin(), [&](const dvec3& direction) {
-        return Ray{point, direction};
+      const auto count = std::ranges::count_if(toward, [&](const dvec3& direction) {
+        return sculpture.occluded({point, direction});
       });
-      sculpture.occluded(rays, is_stopped);
-      const auto count = std::ranges::count(is_stopped, std::uint8_t{1});
       single[j * side + i] = fade * static_cast<double>(count) / fineness.rays;
     }
   });

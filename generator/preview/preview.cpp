@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include <tbb/parallel_for.h>
 
@@ -16,10 +15,9 @@ namespace {
 
 using glm::vec3;
 
-/// Pixels that are traced together, as many as there are rays in one of Embree's packets.
-constexpr int block_width = 4;
-constexpr int block_height = 2;
-constexpr std::size_t lanes = block_width * block_height;
+/// Pixels on a side of the squares that are traced one after the other, as their rays meet the
+/// same.
+constexpr int tile = 16;
 
 /// Rays leave a surface from this far off, in studio units: float's rounding where they were found.
 constexpr float step_off = 4e-5F;
@@ -137,61 +135,35 @@ class Exposure {
   }
 
   PreviewPicture expose() {
-    const int rows = (shot_.height + block_height - 1) / block_height;
-    tbb::parallel_for(0, rows, [&](int row) {
-      for (int left = 0; left < shot_.width; left += block_width) {
-        expose_block(left, row * block_height);
-      }
+    const int across = (shot_.width + tile - 1) / tile;
+    const int down = (shot_.height + tile - 1) / tile;
+    tbb::parallel_for(0, across * down, [&](int index) {
+      expose_tile(tile * (index % across), tile * (index / across));
     });
     return std::move(picture_);
   }
 
  private:
-  using Light = std::array<vec3, lanes>;
-
-  void expose_block(int left, int top) {
-    Light light{};
-    for (std::size_t sample = 0; sample < samples_a_pixel; ++sample) {
-      add_sample(left, top, sample, light);
-    }
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const int x = left + static_cast<int>(lane) % block_width;
-      const int y = top + static_cast<int>(lane) / block_width;
-      if (x < shot_.width && y < shot_.height) {
+  void expose_tile(int left, int top) {
+    for (int y = top; y < std::min(top + tile, shot_.height); ++y) {
+      for (int x = left; x < std::min(left + tile, shot_.width); ++x) {
+        vec3 light(0.0F);
+        for (std::size_t sample = 0; sample < samples_a_pixel; ++sample) {
+          light += seen_at(x, y, sample);
+        }
         picture_.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(shot_.width) +
-                        static_cast<std::size_t>(x)] = light[lane] / float{samples_a_pixel};
+                        static_cast<std::size_t>(x)] = light / float{samples_a_pixel};
       }
     }
   }
 
-  void add_sample(int left, int top, std::size_t sample, Light& light) const {
-    std::array<dvec2, lanes> places;
-    std::array<Ray, lanes> rays;
-    std::array<RayHit, lanes> hits;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const dvec2 pixel(left + static_cast<int>(lane) % block_width,
-                        top + static_cast<int>(lane) / block_width);
-      const dvec2 share = (pixel + sample_places[sample]) / dvec2(shot_.width, shot_.height);
-      places[lane] = {2.0 * share.x - 1.0, 1.0 - 2.0 * share.y};
-      rays[lane] = {camera_.eye, camera_.direction(places[lane].x, places[lane].y)};
-    }
-    studio_.sculpture.closest(rays, hits);
-    std::array<Point, lanes> points;
-    std::array<std::size_t, lanes> lane_of;
-    std::size_t count = 0;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (hits[lane].met()) {
-        points[count] = studio_.point(rays[lane], hits[lane]);
-        lane_of[count++] = lane;
-      } else {
-        light[lane] += surroundings(rays[lane], places[lane]);
-      }
-    }
-    Light thrown{};
-    throw_back(std::span(points).first(count), lamps_[sample], thrown);
-    for (std::size_t i = 0; i < count; ++i) {
-      light[lane_of[i]] += thrown[i];
-    }
+  [[nodiscard]] vec3 seen_at(int x, int y, std::size_t sample) const {
+    const dvec2 share = (dvec2(x, y) + sample_places[sample]) / dvec2(shot_.width, shot_.height);
+    const dvec2 place(2.0 * share.x - 1.0, 1.0 - 2.0 * share.y);
+    const Ray ray{camera_.eye, camera_.direction(place.x, place.y)};
+    const RayHit hit = studio_.sculpture.closest(ray);
+    return hit.met() ? thrown_back(studio_.point(ray, hit), lamps_[sample])
+                     : surroundings(ray, place);
   }
 
   [[nodiscard]] vec3 surroundings(const Ray& ray, const dvec2& place) const {
@@ -204,78 +176,43 @@ class Exposure {
     return shaded_floor(backdrop, shadow_.stopped(floor.x, floor.z));
   }
 
-  /// What the points throw back of the lamps' light and show of the room.
-  void throw_back(std::span<const Point> points, const std::vector<Lamp>& lamps,
-                  Light& thrown) const {
-    std::array<float, lanes> mirror;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Surface& surface = *points[i].surface;
-      const float facing = std::clamp(glm::dot(points[i].normal, points[i].toward_eye), 0.0F, 1.0F);
-      mirror[i] = glm::mix(surface.mirror_facing, surface.mirror_edge,
-                           surface.mirror_edge > 0.0F ? std::pow(1.0F - facing, 5.0F) : 0.0F);
-      thrown[i] = surface.glow + bounce * points[i].color;
-    }
+  /// What a point throws back of the lamps' light and shows of the room.
+  [[nodiscard]] vec3 thrown_back(const Point& point, const std::vector<Lamp>& lamps) const {
+    const Surface& surface = *point.surface;
+    const float facing = std::clamp(glm::dot(point.normal, point.toward_eye), 0.0F, 1.0F);
+    const float mirror =
+        glm::mix(surface.mirror_facing, surface.mirror_edge,
+                 surface.mirror_edge > 0.0F ? std::pow(1.0F - facing, 5.0F) : 0.0F);
+    vec3 light = surface.glow + bounce * point.color;
     for (const Lamp& lamp : lamps) {
-      add_lamp(points, lamp, mirror, thrown);
+      light += of_lamp(point, lamp, mirror);
     }
-    add_mirrored(points, mirror, thrown);
+    return mirror > 0.0F ? light + mirror * mirrored(point, mirror) * tint(point) : light;
   }
 
-  void add_lamp(std::span<const Point> points, const Lamp& lamp,
-                const std::array<float, lanes>& mirror, Light& thrown) const {
+  [[nodiscard]] vec3 of_lamp(const Point& point, const Lamp& lamp, float mirror) const {
     const vec3 direction = lamp.direction;
-    const vec3 color = lamp.color;
-    std::array<Ray, lanes> rays;
-    std::array<std::uint8_t, lanes> stopped{};
-    std::array<std::size_t, lanes> point_of;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (glm::dot(points[i].normal, direction) > 0.0F &&
-          glm::dot(points[i].face, direction) > 0.0F) {
-        rays[count] = {points[i].place, direction};
-        point_of[count++] = i;
-      }
+    const float facing = glm::dot(point.normal, direction);
+    if (facing <= 0.0F || glm::dot(point.face, direction) <= 0.0F ||
+        studio_.sculpture.occluded({point.place, direction})) {
+      return vec3(0.0F);
     }
-    studio_.sculpture.occluded(std::span(rays).first(count), std::span(stopped).first(count));
-    for (std::size_t k = 0; k < count; ++k) {
-      if (stopped[k] == 0) {
-        const Point& point = points[point_of[k]];
-        const Surface& surface = *point.surface;
-        const float facing = glm::dot(point.normal, direction);
-        const vec3 body = surface.body * (1.0F - mirror[point_of[k]]) * point.color;
-        const vec3 shine =
-            highlight(surface, point, direction) * glm::mix(vec3(1.0F), point.color, surface.metal);
-        thrown[point_of[k]] += facing * (body + shine) * color;
-      }
-    }
+    const Surface& surface = *point.surface;
+    const vec3 body = surface.body * (1.0F - mirror) * point.color;
+    const vec3 shine = highlight(surface, point, direction) * tint(point);
+    return facing * (body + shine) * vec3(lamp.color);
   }
 
-  void add_mirrored(std::span<const Point> points, const std::array<float, lanes>& mirror,
-                    Light& thrown) const {
-    std::array<Ray, lanes> rays;
-    std::array<RayHit, lanes> hits;
-    std::array<float, lanes> room;
-    std::array<std::size_t, lanes> point_of;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (mirror[i] > 0.0F) {
-        const vec3 direction = glm::reflect(-points[i].toward_eye, points[i].normal);
-        room[count] = static_cast<float>(studio_room(direction, shot_.bearing));
-        if (mirror[i] * std::max(room[count], mirrored_light) < faintest_mirrored) {
-          thrown[i] += mirror[i] * room[count] * tint(points[i]);
-        } else {
-          rays[count] = {points[i].place, direction};
-          point_of[count++] = i;
-        }
-      }
+  /// What a mirror of that strength shows.
+  [[nodiscard]] vec3 mirrored(const Point& point, float mirror) const {
+    const vec3 direction = glm::reflect(-point.toward_eye, point.normal);
+    const auto room = static_cast<float>(studio_room(direction, shot_.bearing));
+    if (mirror * std::max(room, mirrored_light) < faintest_mirrored) {
+      return vec3(room);
     }
-    studio_.sculpture.closest(std::span(rays).first(count), std::span(hits).first(count));
-    for (std::size_t k = 0; k < count; ++k) {
-      const Point& point = points[point_of[k]];
-      const vec3 seen =
-          hits[k].met() ? mirrored_light * studio_.point(rays[k], hits[k]).color : vec3(room[k]);
-      thrown[point_of[k]] += mirror[point_of[k]] * seen * tint(point);
-    }
+    const Ray ray{point.place, direction};
+    const RayHit hit = studio_.sculpture.closest(ray);
+    return hit.met() ? mirrored_light * studio_.point(ray, hit).color : vec3(room);
   }
 
   /// The colour of highlights and mirror images.
