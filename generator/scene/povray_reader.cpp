@@ -127,7 +127,7 @@ class Reader {
     }
   }
 
-  /// A union of instances and of unions.
+  /// A union of instances, props and unions.
   void read_union(std::vector<PovrayScene::Instance>& instances) {
     for (int depth = 1; depth > 0;) {
       require_line();
@@ -138,7 +138,7 @@ class Reader {
       } else if (skip(line_, "#if (")) {
         instances.push_back(read_instance());
       } else if (!line_.starts_with("bounded_by { box { <") &&
-                 line_ != "interior { Element_Interior }" &&
+                 !line_.starts_with("object { Prop_") && line_ != "interior { Element_Interior }" &&
                  line_ != "transform { Place_Sculpture }") {
         fail();
       }

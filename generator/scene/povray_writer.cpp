@@ -20,9 +20,6 @@ namespace {
 constexpr std::array finish_macros{"As_In_File", "Ceramic", "Plastic", "Felt",  "Lacquer",
                                    "Matt",       "Satin",   "Metal",   "Glass", "Milk"};
 
-constexpr const char* outermost =
-    "  interior { Element_Interior }\n  transform { Place_Sculpture }\n";
-
 std::string counted(std::size_t count, const std::string& noun) {
   return grouped(count) + " " + noun + (count == 1 ? "" : "s");
 }
@@ -142,8 +139,6 @@ class Writer {
     for (std::size_t k = 0; k < composition_.props.size(); ++k) {
       append_element(prop_name(k), composition_.props[k], k);
     }
-    file_.append("#declare Sculpture =\n");
-    append_neighbourhood(neighbourhoods(composition_), outermost);
     append_all_shown();
     file_.commit();
   }
@@ -194,10 +189,10 @@ class Writer {
   }
 
   /// The innermost neighbourhoods hold instances, the others neighbourhoods.
-  void append_neighbourhood(const Neighbourhood& place, const std::string& settings) {
+  void append_neighbourhood(const Neighbourhood& place) {
     file_.append("union {\n");
     for (const Neighbourhood& part : place.parts) {
-      append_neighbourhood(part, "");
+      append_neighbourhood(part);
     }
     for (const std::uint32_t i : place.instances) {
       append_instance(i);
@@ -206,7 +201,7 @@ class Writer {
       file_.append("  bounded_by { box { " + pov_vector(place.box.min) + ", " +
                    pov_vector(place.box.max) + " } }\n");
     }
-    file_.append(settings + "}\n");
+    file_.append("}\n");
   }
 
   /// `#if (17 < Shown[0]) object { Element_0 matrix <…> } #end`
@@ -223,16 +218,20 @@ class Writer {
   }
 
   void append_all_shown() {
-    if (composition_.props.empty()) {
-      file_.append("object { Sculpture }\nSet_Floor(Sculpture)\n");
-      return;
-    }
-    file_.append("#declare All_Shown = union {\n  object { Sculpture }\n");
+    file_.append(
+        "// To trace the floor's shadow takes a second copy of all that is shown.\n"
+        "#if (!Is_Shadow_Given) #declare Sculpture = #end\n"
+        "union {\n");
+    append_neighbourhood(neighbourhoods(composition_));
     for (std::size_t k = 0; k < composition_.props.size(); ++k) {
-      file_.append("  object { " + prop_name(k) +
-                   " interior { Element_Interior } transform { Place_Sculpture } }\n");
+      file_.append("object { " + prop_name(k) + " }\n");
     }
-    file_.append("}\nobject { All_Shown }\nSet_Floor(All_Shown)\n");
+    file_.append(
+        "  interior { Element_Interior }\n"
+        "  transform { Place_Sculpture }\n"
+        "}\n"
+        "#if (Is_Shadow_Given) Set_Floor(0) #else object { Sculpture } Set_Floor(Sculpture) "
+        "#end\n");
   }
 
   /// Before the templates, which may show it and let it cast a shadow.

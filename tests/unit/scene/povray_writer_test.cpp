@@ -35,6 +35,7 @@ constexpr const char* flat_macros = R"(
   texture { pigment { rgb <0, 0, 1> } finish { ambient 0 diffuse 0 emission 1 } }
 #end
 #macro Set_Floor(Caster) #end
+#declare Is_Shadow_Given = 0;
 #declare Element_Interior = interior { ior 1.45 };
 #declare Place_Sculpture = transform { scale 1 }
 )";
