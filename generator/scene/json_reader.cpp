@@ -42,13 +42,17 @@ std::string text(const json& value) {
   return value.get<std::string>();
 }
 
-json parsed_file(const fs::path& path, const char* remedy) {
+json parsed(const fs::path& path, std::string_view text, const char* remedy) {
   try {
-    return json::parse(read_file(path));
+    return json::parse(text);
   } catch (const json::exception& error) {
     throw Error({path}, "is not JSON: " + std::string(error.what()).substr(0, longest_message),
                 remedy);
   }
+}
+
+json parsed_file(const fs::path& path, const char* remedy) {
+  return parsed(path, read_file(path), remedy);
 }
 
 Error error_in(const fs::path& path, const Problem& problem, const char* remedy) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -65,6 +66,9 @@ std::string text(const json& value);
 /// How to mend a file of a finished folder.
 constexpr const char* make_again = "make the folder again with collage make";
 
+/// The JSON of a file's text. Throws Error where it is none.
+json parsed(const std::filesystem::path& path, std::string_view text,
+            const char* remedy = make_again);
 /// The file's JSON. Throws Error where it cannot be read or is not JSON.
 json parsed_file(const std::filesystem::path& path, const char* remedy = make_again);
 

@@ -6,7 +6,7 @@
 namespace collage {
 namespace {
 
-constexpr std::size_t most = 8;
+constexpr std::size_t most = 16;
 constexpr int halvings = 3;
 constexpr double float_margin = 1e-6;  // of a box's distance and size; float rounds by 6e-8
 

@@ -12,7 +12,7 @@ struct Neighbourhood {
   Box box;
   /// At most 8; empty where there are `instances`.
   std::vector<Neighbourhood> parts;
-  /// At most 8 indices into Composition::instances, ascending.
+  /// At most 16 indices into Composition::instances, ascending.
   std::vector<std::uint32_t> instances;
 };
 

@@ -1,30 +1,14 @@
 #include "scene/povray_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/scan.h"
 
 namespace collage {
 namespace {
-
-/// Takes `prefix` off the front of `text`, or says that it is not there.
-bool skip(std::string_view& text, std::string_view prefix) {
-  if (!text.starts_with(prefix)) {
-    return false;
-  }
-  text.remove_prefix(prefix.size());
-  return true;
-}
-
-template <class Number>
-bool read_number(std::string_view& text, Number& value) {
-  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
-  text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
-  return error == std::errc{};
-}
 
 /// `<1, 2, 3>` or `<1,2,3>`.
 template <class Number>

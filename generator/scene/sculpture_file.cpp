@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "geometry/font_file.h"
 #include "scene/credit_json.h"
+#include "scene/instance_lines.h"
 #include "scene/json_reader.h"
 #include "scene/json_text.h"
 #include "scene/options_json.h"
@@ -26,8 +27,6 @@ using json_reader::Problem;
 using json_reader::text;
 using json_reader::within;
 namespace fs = std::filesystem;
-
-constexpr double quaternion_tolerance = 1e-6;
 
 /// A font without its folder, which is nothing to others.
 void forget_folder(LetterOptions& letters) {
@@ -82,28 +81,6 @@ std::string inputs_text(const Sculpture& sculpture) {
     }
   }
   return text + "\n  ],\n";
-}
-
-void append_numbers(std::string& text, std::initializer_list<double> numbers) {
-  char separator = '[';
-  for (const double number : numbers) {
-    text += separator;
-    append_number(text, number);
-    separator = ',';
-  }
-  text += ']';
-}
-
-void append_instance(std::string& text, const Instance& instance) {
-  const glm::dquat& q = instance.rotation;
-  const glm::dvec3& t = instance.translation;
-  text += "{\"element\":" + std::to_string(instance.element) + ",\"scale\":";
-  append_number(text, instance.scale);
-  text += ",\"rotation\":";
-  append_numbers(text, {q.w, q.x, q.y, q.z});
-  text += ",\"translation\":";
-  append_numbers(text, {t.x, t.y, t.z});
-  text += '}';
 }
 
 /// A path that stays in the folder, whatever the file says.
@@ -228,6 +205,36 @@ Sculpture sculpture(const json& root) {
   return result;
 }
 
+/// Of a file as write_sculpture() writes it the instances' lines, and JSON of the rest.
+std::optional<Sculpture> sculpture_as_written(std::string_view text) {
+  constexpr std::string_view begin = "  \"instances\": [\n";
+  constexpr std::string_view end = "\n  ]\n}\n";
+  const std::size_t found = text.find(begin);
+  if (found == std::string_view::npos || !text.ends_with(end)) {
+    return std::nullopt;
+  }
+  const std::size_t first = found + begin.size();
+  if (first + end.size() > text.size()) {
+    return std::nullopt;
+  }
+  const std::string_view lines = text.substr(first, text.size() - end.size() - first);
+  const json rest = json::parse(std::string(text.substr(0, first)) + "]}", nullptr, false);
+  if (rest.is_discarded()) {
+    return std::nullopt;
+  }
+  try {
+    Sculpture result = sculpture(rest);
+    auto instances = read_instance_lines(lines, result.elements.size());
+    if (!instances) {
+      return std::nullopt;
+    }
+    result.instances = std::move(*instances);
+    return result;
+  } catch (const Problem&) {
+    return std::nullopt;  // the reader of it all says where
+  }
+}
+
 }  // namespace
 
 void write_sculpture(const std::filesystem::path& path, const Sculpture& sculpture) {
@@ -251,9 +258,10 @@ void write_sculpture(const std::filesystem::path& path, const Sculpture& sculptu
 }
 
 Sculpture read_sculpture(const fs::path& path) {
-  const json root = json_reader::parsed_file(path);
+  const std::string text = read_file(path);
   try {
-    Sculpture result = sculpture(root);
+    std::optional<Sculpture> written = sculpture_as_written(text);
+    Sculpture result = written ? std::move(*written) : sculpture(json_reader::parsed(path, text));
     result.options.name = fs::absolute(path).lexically_normal().parent_path().filename().string();
     result.options.file = path;
     return result;

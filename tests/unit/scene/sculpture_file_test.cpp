@@ -182,6 +182,23 @@ TEST_F(SculptureFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error("\"seed\": 5", "\"seed\": nan"), ::testing::StartsWith("is not JSON: "));
 }
 
+/// The slow twin: a space sends the whole file to the reader of JSON.
+TEST_F(SculptureFile, ReadsTheSameOfOtherSpacing) {
+  const std::string text = written(some_sculpture(500));
+  const std::vector<Instance> fast = read_sculpture(path).instances;
+  std::string spaced = text;
+  spaced.replace(spaced.rfind("\"scale\":"), 8, "\"scale\": ");
+  folder.write("sculpture.json", spaced);
+  const std::vector<Instance> slow = read_sculpture(path).instances;
+  ASSERT_EQ(fast.size(), slow.size());
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    EXPECT_EQ(fast[i].element, slow[i].element);
+    EXPECT_EQ(fast[i].scale, slow[i].scale);
+    EXPECT_EQ(fast[i].rotation, slow[i].rotation);
+    EXPECT_EQ(fast[i].translation, slow[i].translation);
+  }
+}
+
 TEST_F(SculptureFile, HandlesALargeSculpture) {
   const Sculpture sculpture = some_sculpture(300000);
   const Stopwatch writing;
