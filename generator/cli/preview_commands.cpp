@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <future>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/sweep.h"
 #include "render/contact_sheet.h"
+#include "render/imaging.h"
 #include "scene/json_text.h"
 
 namespace collage {
@@ -203,6 +205,8 @@ int run_sweep(const SweepArguments& arguments, const CommonArguments& common, Te
 }
 
 int run_preview(const PreviewArguments& arguments, Terminal& terminal) {
+  // Meanwhile, for the pictures to come.
+  const std::future<void> loading = std::async(std::launch::async, [] { imaging(); });
   const fs::path folder = folder_of(arguments, terminal);
   const FinishedFolder finished = read_finished_folder(folder, terminal);
   const Scene& scene = finished.sculpture.options;

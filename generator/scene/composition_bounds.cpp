@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
+#include <tbb/parallel_for.h>
 
 namespace collage {
 namespace {
@@ -168,21 +169,20 @@ std::vector<dvec3> directions() {
 /// The farthest of the points that `visit_points` shows to whom it is given, in each direction.
 template <class VisitPoints>
 std::vector<dvec3> outline_of(VisitPoints visit_points) {
-  std::vector<dvec3> outline;
-  for (const dvec3& direction : directions()) {
+  const std::vector<dvec3> toward = directions();
+  std::vector<dvec3> outline(toward.size(), dvec3(0.0));
+  tbb::parallel_for(std::size_t{0}, toward.size(), [&](std::size_t k) {
     double distance = -std::numeric_limits<double>::infinity();
-    dvec3 farthest(0.0);
     const auto stands_out = [&](const dvec3& p, double within) {
-      return glm::dot(p, direction) + within > distance;
+      return glm::dot(p, toward[k]) + within > distance;
     };
     visit_points(stands_out, [&](const dvec3& p) {
       if (stands_out(p, 0.0)) {
-        distance = glm::dot(p, direction);
-        farthest = p;
+        distance = glm::dot(p, toward[k]);
+        outline[k] = p;
       }
     });
-    outline.push_back(farthest);
-  }
+  });
   return outline;
 }
 
