@@ -36,6 +36,8 @@ struct Group {
   /// The meshes of others are needed: those in $COLLAGE_FIELD_MESHES, or sweethome3d-furniture in
   /// $COLLAGE_MESHES.
   enum class Meshes { own, field, furniture } meshes = Meshes::own;
+  /// What takes many minutes is run only where the filter is all of its name.
+  enum class Named { in_part, in_full } named = Named::in_part;
   /// Why it cannot be run at all; empty: it can.
   std::string missing{};
 };

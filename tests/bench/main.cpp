@@ -93,17 +93,20 @@ int run(std::span<char*> arguments) {
              "ratio", "required", "holds");
   std::vector<Bar> bars;
   for (const Group& group : groups) {
-    if (group.name.find(filter) == std::string::npos) {
+    if (group.name.find(filter) == std::string::npos ||
+        (group.named == Group::Named::in_full && group.name != filter)) {
       continue;
     }
     if (const std::string reason = missing(group); !reason.empty()) {
       fmt::print("{}: skipped, as {}\n", group.name, reason);
       continue;
     }
+    const Stopwatch watch;
     for (const Bar& bar : group.run()) {
       print(bar);
       bars.push_back(bar);
     }
+    fmt::print("{}: {:.0f} s\n", group.name, watch.seconds());
   }
   if (!json_file.empty()) {
     write_file(json_file, json(bars));

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -9,7 +10,9 @@
 #include "cli/data_folder.h"
 #include "cli/finished_folder.h"
 #include "cli/pack_scene.h"
+#include "fitting/pack_by_shape.h"
 #include "geometry/mesh_file.h"
+#include "geometry/models.h"
 #include "scene/scene_file.h"
 #include "support/folder.h"
 #include "support/meshes.h"
@@ -200,6 +203,59 @@ std::vector<Bar> furniture() {
   return {filled, time_bar(name, by_shape, 120.0)};
 }
 
+/// What packing alone takes: carrots of radii from 0.02 to 0.1 in the teapot, and in effect in
+/// teapots `fineness` times as large.
+class Growth {
+ public:
+  struct Sample {
+    double count;
+    double seconds;
+  };
+  [[nodiscard]] Sample pack(double fineness) const {
+    Status status;
+    FreeSpace space(target_, static_cast<int>(128 * fineness), status);
+    PackingOptions options;
+    options.scaling = Scaling::to_hole;
+    options.threshold = 0.02 / fineness;
+    options.largest = 0.1 / fineness;
+    const std::array<ShapeIngredient, 1> ingredients{{{shape_}}};
+    const double before = processor_seconds();
+    const Packing packing =
+        pack_by_shape({target_, &surface_}, space, ingredients, options, status);
+    return {static_cast<double>(packing.instances.size()), processor_seconds() - before};
+  }
+
+ private:
+  Mesh target_mesh_ = make_teapot(10);
+  Mesh element_mesh_ = make_carrot();
+  MeshTarget target_{target_mesh_};
+  CollisionShape surface_{target_mesh_, target_.solid()};
+  Element element_{element_mesh_};
+  ShapedElement shape_{element_mesh_, element_, measure_shape(element_mesh_, element_)};
+};
+
+/// The exponent of time in the number of elements, beside that of n log n.
+std::vector<Bar> growth(double coarse, double fine, std::optional<double> seconds_allowed) {
+  const Growth growth;
+  const Growth::Sample few = growth.pack(coarse);
+  const Growth::Sample many = growth.pack(fine);
+  const auto exponent = [&](double small, double large) {
+    return std::log(large / small) / std::log(many.count / few.count);
+  };
+  const double found = exponent(few.seconds, many.seconds);
+  const double n_log_n =
+      exponent(few.count * std::log(few.count), many.count * std::log(many.count));
+  const std::string name = fmt::format("from {} carrots to {}", few.count, many.count);
+  std::vector<Bar> bars{{name + ": time by n log n", found, "exponent", n_log_n, found / n_log_n,
+                         Bar::Side::at_most, 1.0}};
+  if (seconds_allowed) {
+    const double seconds = many.seconds / cores;
+    bars.push_back({name + ": the time allowed", seconds, "CPU s, halved", *seconds_allowed,
+                    seconds / *seconds_allowed, Bar::Side::at_most, 1.0});
+  }
+  return bars;
+}
+
 }  // namespace
 
 std::vector<Group> shape_bars() {
@@ -208,7 +264,10 @@ std::vector<Group> shape_bars() {
           {"shape-rings", rings, Group::Meshes::field},
           {"shape-alternating", alternating, Group::Meshes::field},
           {"shape-any-mix", any_mix, Group::Meshes::field},
-          {"shape-furniture", furniture, Group::Meshes::furniture}};
+          {"shape-furniture", furniture, Group::Meshes::furniture},
+          {"shape-growth", [] { return growth(0.5, 1.0, std::nullopt); }},
+          {"shape-growth-20000", [] { return growth(1.0, 2.5, 600.0); }, Group::Meshes::own,
+           Group::Named::in_full}};
 }
 
 }  // namespace collage::bench

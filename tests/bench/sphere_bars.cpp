@@ -97,7 +97,7 @@ std::vector<Bar> against_openvdb() {
 }  // namespace
 
 std::vector<Group> sphere_bars() {
-  return {{"spheres-openvdb", against_openvdb, Group::Meshes::field,
+  return {{"spheres-openvdb", against_openvdb, Group::Meshes::field, Group::Named::in_part,
            has_level_sets ? "" : "OpenVDB (libopenvdb-dev) was not there when this was built"}};
 }
 
