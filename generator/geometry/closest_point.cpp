@@ -71,26 +71,77 @@ void Prisms::set(std::size_t lane, std::uint32_t triangle, const Corners& corner
   }
 }
 
+/// A box round triangles, turned to lie flat on them.
+struct FlatBox {
+  /// Unit vectors at right angles to each other.
+  std::array<dvec3, 3> axes{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
+  dvec3 middle{0.0};
+  dvec3 half_extent{0.0};
+
+  FlatBox(const std::vector<Corners>& all, std::span<const std::uint32_t> triangles);
+};
+
+FlatBox::FlatBox(const std::vector<Corners>& all, std::span<const std::uint32_t> triangles) {
+  /// Triangles whose normals cancel out more than this face in no one direction.
+  constexpr double least_agreement = 0.5;
+  dvec3 normal(0.0);
+  double area = 0.0;
+  dvec3 center(0.0);
+  for (const std::uint32_t t : triangles) {
+    const dvec3 across = glm::cross(all[t][1] - all[t][0], all[t][2] - all[t][0]);
+    normal += across;
+    area += glm::length(across);
+    center += (all[t][0] + all[t][1] + all[t][2]) / (3.0 * static_cast<double>(triangles.size()));
+  }
+  if (const double length = glm::length(normal); length > least_agreement * area) {
+    normal /= length;
+    dvec3 along(0.0);
+    for (const std::uint32_t t : triangles) {
+      for (const dvec3& corner : all[t]) {
+        const dvec3 away = corner - center;
+        const dvec3 flat = away - glm::dot(away, normal) * normal;
+        along = glm::dot(flat, flat) > glm::dot(along, along) ? flat : along;
+      }
+    }
+    along = glm::normalize(along);
+    axes = {normal, along, glm::normalize(glm::cross(normal, along))};
+  }
+  for (int k = 0; k < 3; ++k) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const std::uint32_t t : triangles) {
+      for (const dvec3& corner : all[t]) {
+        const double height = glm::dot(axes[static_cast<std::size_t>(k)], corner);
+        low = std::min(low, height);
+        high = std::max(high, height);
+      }
+    }
+    middle[k] = 0.5 * (low + high);
+    half_extent[k] = 0.5 * (high - low);
+  }
+}
+
 /// Up to four boxes, and what is in each.
-struct Boxes {
-  Points<Four> min;
-  Points<Four> max;
+struct FlatBoxes {
+  std::array<Planes, 3> middles;
+  Points<Four> half_extents{};
   std::array<std::uint32_t, four_lanes> content{};
 
-  Boxes() {
-    min.fill(all_four(std::numeric_limits<float>::infinity()));
-    max.fill(all_four(-std::numeric_limits<float>::infinity()));
-  }
-  void set(std::size_t lane, const Box& box, std::uint32_t what) {
-    set_lane(min, lane, box.min);
-    set_lane(max, lane, box.max);
+  FlatBoxes() { half_extents.fill(all_four(-std::numeric_limits<float>::infinity())); }
+  void set(std::size_t lane, const FlatBox& box, std::uint32_t what) {
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      middles[axis].set(lane, box.axes[axis], box.middle[k]);
+    }
+    set_lane(half_extents, lane, box.half_extent);
     content[lane] = what;
   }
   /// Infinite for a lane without a box.
   [[nodiscard]] Four squared_distance(const Points<Four>& point) const {
     Four sum{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Four away = larger(larger(min[axis] - point[axis], point[axis] - max[axis]), Four{});
+      const Four height = middles[axis].height(point);
+      const Four away = larger(larger(height, -height) - half_extents[axis], Four{});
       sum += away * away;
     }
     return sum;
@@ -162,9 +213,9 @@ class ClosestPointIndex::Hierarchy {
 
   std::uint32_t add_leaf(std::span<const std::uint32_t> triangles);
   std::uint32_t add_inner();
-  void set_child(std::uint32_t inner, std::size_t lane, const Box& box,
-                 std::span<const std::uint32_t> /*triangles*/, std::uint32_t content) {
-    boxes_[inner].set(lane, box, content);
+  void set_child(std::uint32_t inner, std::size_t lane, const Box& /*box*/,
+                 std::span<const std::uint32_t> triangles, std::uint32_t content) {
+    boxes_[inner].set(lane, FlatBox(triangles_, triangles), content);
   }
 
  private:
@@ -175,7 +226,7 @@ class ClosestPointIndex::Hierarchy {
 
   Surface surface_;
   std::vector<Corners> triangles_;
-  std::vector<Boxes> boxes_;
+  std::vector<FlatBoxes> boxes_;
   std::vector<Prisms> prisms_;
   std::uint32_t root_ = 0;
 };
@@ -242,7 +293,7 @@ void ClosestPointIndex::Hierarchy::search(const dvec3& query, ClosestPoint& best
       }
       continue;
     }
-    const Boxes& boxes = boxes_[next.content];
+    const FlatBoxes& boxes = boxes_[next.content];
     const Four squared = boxes.squared_distance(point);
     const std::size_t farthest = count;
     for (std::size_t lane = 0; lane < four_lanes; ++lane) {

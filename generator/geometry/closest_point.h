@@ -20,8 +20,9 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
 
 /// Finds the nearest point of a mesh that lies within the unit ball round the origin.
 ///
-/// The hierarchy's boxes and planes are float; it is searched `error(query)` farther than the best
-/// found, so that the distance is the least of all, whatever bound the search began with.
+/// The hierarchy's boxes, which lie flat on what they hold, are float; it is searched
+/// `error(query)` farther than the best found, so that the distance is the least of all, whatever
+/// bound the search began with.
 /// Safe to query from many threads. Build O(n log n), query O(log n) for usual meshes.
 class ClosestPointIndex {
  public:
@@ -40,9 +41,8 @@ class ClosestPointIndex {
       std::optional<std::uint32_t> hint = std::nullopt) const;
 
   /// How much too far away the hierarchy can take a triangle to be. A plane's height in float is
-  /// off by at most 2⁻²⁴ (6 |query| + 2), of two at right angles by √2 times that, which
-  /// is 5.1·10⁻⁷ of |query| and less of 1; a box is off by less, and squaring adds 2⁻²³ of the
-  /// distance.
+  /// off by at most 2⁻²⁴ (6 |query| + 3), of three at right angles by √3 times that, which is
+  /// 6.2·10⁻⁷ of |query| and 3.1·10⁻⁷; squaring adds 2⁻²³ of the distance.
   [[nodiscard]] static double error(const dvec3& query) {
     return 1e-6 * (1.0 + glm::length(query));
   }
