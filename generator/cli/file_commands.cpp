@@ -12,6 +12,7 @@
 #include "fitting/shape_cache.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
+#include "geometry/mesh_repair.h"
 #include "geometry/models.h"
 #include "packing/target.h"
 #include "render/contact_sheet.h"
@@ -172,11 +173,11 @@ int run_export(const ExportArguments& arguments, Terminal& terminal) {
 int run_check(const std::vector<fs::path>& meshes, Terminal& terminal) {
   for (const fs::path& path : meshes) {
     Mesh mesh = read_obj(path, terminal).mesh;
-    const Orientation orientation = orient(mesh);
+    const std::vector<std::string> repairs = repair(mesh);
     fmt::print("{}: {}\n", path.string(), text_of(check_mesh(mesh)));
     fmt::print("  volume of the solid {:.6g}\n", MeshTarget(mesh).volume());
-    if (const std::string repairs = text_of(orientation); !repairs.empty()) {
-      fmt::print("  {}\n", repairs);
+    for (const std::string& done : repairs) {
+      fmt::print("  {}\n", done);
     }
   }
   return 0;

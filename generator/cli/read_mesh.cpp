@@ -2,12 +2,14 @@
 
 #include <string>
 
+#include "geometry/mesh_repair.h"
+
 namespace collage {
 
 MeshFile read_mesh(const std::filesystem::path& path, Repair repair, Status& status) {
   MeshFile file = read_obj(path, status);
   if (repair == Repair::orient) {
-    if (const std::string done = text_of(orient(file.mesh)); !done.empty()) {
+    for (const std::string& done : collage::repair(file.mesh)) {
       status.note(path.filename().string() + ": " + done);
     }
   }

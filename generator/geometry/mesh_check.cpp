@@ -18,9 +18,9 @@ std::size_t count_forward(std::span<const EdgeUse> edge) {
 
 void check_edges(const Topology& topology, MeshReport& report) {
   report.closed = topology.edge_count() > 0;
+  report.boundary_edges = topology.boundary_edge_count();
   for (std::size_t i = 0; i < topology.edge_count(); ++i) {
     const auto edge = topology.edge(i);
-    report.boundary_edges += edge.size() == 1 ? 1 : 0;
     report.nonmanifold_edges += edge.size() > 2 ? 1 : 0;
     report.closed = report.closed && edge.size() % 2 == 0;
     if (edge.size() > 1 && 2 * count_forward(edge) != edge.size()) {

@@ -35,7 +35,7 @@ MeshReport check_mesh(const Mesh& mesh);
 /// One line for people: "6,598 triangles in 1 part, closed, volume 0.749, 2 x 1.98 x 1.55".
 std::string text_of(const MeshReport& report);
 
-/// What is done to a mesh that is not as it should be: orient(), or nothing.
+/// What is done to a mesh that is not as it should be: repair(), or nothing.
 enum class Repair { orient, none };
 
 /// What orient() did. A sheet is a set of triangles that must be turned over together; parts that

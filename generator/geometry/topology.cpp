@@ -53,6 +53,14 @@ Topology::Topology(const Mesh& mesh) : welded_(weld(mesh.positions)) {
   starts_.push_back(uses_.size());
 }
 
+std::size_t Topology::boundary_edge_count() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < edge_count(); ++i) {
+    count += edge(i).size() == 1 ? 1 : 0;
+  }
+  return count;
+}
+
 DisjointSets::DisjointSets(std::size_t n) : parent_(n) {
   std::iota(parent_.begin(), parent_.end(), 0U);
 }

@@ -28,6 +28,8 @@ class Topology {
   /// Of each vertex the first one at its place.
   [[nodiscard]] const std::vector<std::uint32_t>& welded() const { return welded_; }
   [[nodiscard]] std::size_t edge_count() const { return starts_.size() - 1; }
+  /// Edges of one triangle.
+  [[nodiscard]] std::size_t boundary_edge_count() const;
   /// The sides that meet at an edge, by rising triangle.
   [[nodiscard]] std::span<const EdgeUse> edge(std::size_t index) const {
     return std::span(uses_).subspan(starts_[index], starts_[index + 1] - starts_[index]);

@@ -17,8 +17,8 @@ constexpr double largest_picture = 16384.0;
 constexpr const char* mesh_places =
     "starting from the scene's folder, or \"LIBRARY:PATH\" for one of a mesh library";
 constexpr const char* repair_help =
-    "whether faces of the mesh are turned so that they agree and its parts face outwards, or taken "
-    "as the file has them";
+    "whether the mesh is put right, by welding, closing small holes, and turning faces so that "
+    "they agree and its parts face outwards, or taken as the file has it";
 const std::vector<std::string> repair_words{"orient", "none"};
 const std::vector<std::string> qualities{"draft", "standard", "fine"};
 const std::vector<std::string> looks{"studio", "daylight", "clay", "x-ray", "breakdown"};

@@ -1,6 +1,7 @@
 #include "fuzz.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_file.h"
+#include "geometry/mesh_repair.h"
 
 using namespace collage;
 
@@ -13,5 +14,5 @@ COLLAGE_FUZZ_TARGET(input) {
   Status silent;
   Mesh mesh = read_obj(fuzz::file_with(input.substr(0, end), "fuzz.obj"), silent).mesh;
   check_mesh(mesh);
-  orient(mesh);
+  repair(mesh);
 }

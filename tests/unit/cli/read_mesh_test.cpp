@@ -28,6 +28,11 @@ const std::string second_cube =
     "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
     "f 9 12 11 10\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\nf 13 14 15 16\n";
 
+/// In the middle of the lid.
+const std::string small_hole =
+    "v -0.09 -0.09 1\nv 0.09 -0.09 1\nv 0.09 0.09 1\nv -0.09 0.09 1\n"
+    "f 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\n";
+
 /// What becomes of a mesh that is packed into a cube, or filled with cubes.
 struct Outcome {
   std::string defect;
@@ -41,6 +46,11 @@ void PrintTo(const Outcome& outcome, std::ostream* out) { *out << outcome.defect
 const std::vector<Outcome> outcomes{
     {"none", cube, "packed", "packed"},
     {"a face is missing", corners + box, "packed", "packed"},
+    {"a small hole", corners + box + small_hole, "packed", "packed"},
+    {"a lid is apart by rounding",
+     corners + box +
+         "v -1 -1 1.00001\nv 1 -1 1.00001\nv 1 1 1.00001\nv -1 1 1.00001\nf 9 10 11 12\n",
+     "packed", "packed"},
     {"a face is there twice", cube + lid, "packed", "packed"},
     {"a face is turned over", corners + box + "f 8 7 6 5\n", "packed", "packed"},
     {"inside out", corners + "f 2 3 4 1\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\nf 8 7 6 5\n",
