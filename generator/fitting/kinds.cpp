@@ -31,6 +31,7 @@ std::vector<Kind> kinds_of(std::span<const ShapeIngredient> ingredients,
     }
   }
   for (Kind& kind : kinds) {
+    kind.share = 1.0 / static_cast<double>(kinds.size());
     if (options.scaling == Scaling::fixed) {
       std::ranges::sort(kind.radii, std::ranges::greater{});
       kind.least_radius = kind.radii.empty() ? 1e300 : kind.radii.back();

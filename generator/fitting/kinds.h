@@ -24,11 +24,17 @@ struct ShapeIngredient {
 class Outlook {
  public:
   [[nodiscard]] double ratio() const { return ratio_; }
+  /// Hardly one in a hundred holes that look like this has room for a pose of radius `least`.
+  [[nodiscard]] bool is_hopeless(double clearance, double least) const {
+    constexpr double share_of_least = 0.4;
+    return has_learned_ && ratio_ * clearance < share_of_least * least;
+  }
   void learn(double ratio) {
     seen_.push_back(ratio);
     if (seen_.size() == sample) {
       std::ranges::nth_element(seen_, seen_.begin() + share);
       ratio_ = std::max(1.2, seen_[share]);
+      has_learned_ = true;
       seen_.clear();
     }
   }
@@ -37,6 +43,7 @@ class Outlook {
   static constexpr std::ptrdiff_t sample = 100;
   static constexpr std::ptrdiff_t share = 60;
   double ratio_ = 2.0;
+  bool has_learned_ = false;
   std::vector<double> seen_;
 };
 
@@ -50,6 +57,8 @@ struct Kind {
   /// Of the radii allowed, falling; empty: any.
   std::vector<double> radii;
   std::vector<std::uint32_t> elements;
+  /// Of the effort that is spent on a hole, the same for all kinds.
+  double share = 1.0;
   Outlook outlook;
   HoleMap holes{1.0};
 };

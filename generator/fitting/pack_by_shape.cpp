@@ -18,10 +18,13 @@
 namespace collage {
 namespace {
 
-/// Places opened at a time, whatever the number of threads.
+/// Places opened at a time, whatever the number of threads: of each kind fewer where there are
+/// many, since each turn of another kind costs some of them their poses.
 constexpr std::size_t batch = 8;
-/// Of many shapes so many are tried in a hole.
-constexpr std::size_t shapes_a_hole = 4;
+constexpr std::size_t least_batch = 2;
+/// A hole is offered to two kinds, or to one of many: tried in vain, it is offered to another in
+/// the next sweep.
+constexpr std::size_t few_kinds = 2;
 /// Where links are sought, one of this many times less size is as good.
 constexpr double link_preference = 2.0;
 constexpr std::uint64_t choice_stream = 0x63686f696365ULL;
@@ -128,6 +131,7 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   const double voxel = space_.distances().spacing();
   const double thickness = std::min(0.5, kind.shape->inscribed().radius);
   if (clearance < std::max(0.6 * voxel, 0.7 * thickness * kind.least_radius) ||
+      kind.outlook.is_hopeless(clearance, least_radius(kind, peak.position)) ||
       !kind.holes.insert(peak.position, apart(clearance))) {
     return;
   }
@@ -143,7 +147,7 @@ void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
 
 void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
   for (const FreeSpace::Peak& peak : peaks) {
-    const std::size_t tried = std::min(shapes_a_hole, kinds_.size());
+    const std::size_t tried = kinds_.size() <= few_kinds ? kinds_.size() : 1;
     Rng rng(options_.seed, choice_stream ^ mix_bits(openings_++));
     const std::size_t first = kinds_.size() > tried ? rng.below(kinds_.size()) : 0;
     for (std::size_t i = 0; i < tried; ++i) {
@@ -216,7 +220,8 @@ void ShapePacker::open_batch(std::uint32_t k, const Status& status) {
   std::array<Id, batch> opened{};
   std::size_t count = 0;
   const double first_key = queue_[*queue_.top(k)].key;
-  const std::size_t most = status.finish_requested() ? 1 : batch;
+  const std::size_t most =
+      status.finish_requested() ? 1 : std::max(least_batch, batch / kinds_.size());
   while (count < most) {
     const auto id = next_vacancy(k);
     if (!id || queue_[*id].key < comparable * first_key || queue_[*id].has_pose) {

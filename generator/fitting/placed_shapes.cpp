@@ -1,6 +1,7 @@
 #include "fitting/placed_shapes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace collage {
 
@@ -23,15 +24,29 @@ void PlacedShapes::find_near(const dvec3& center, double reach, std::uint32_t fi
   ids.erase(repeated.begin(), repeated.end());
 }
 
+/// Distances change by no more than the way one goes, here from a cell's corners.
+double PlacedShapes::least_distance(std::uint32_t i, const dvec3& point) const {
+  const Pose& pose = poses_[i];
+  const DistanceField& distances = shapes_[i]->distances();
+  const dvec3 unit = glm::conjugate(pose.rotation) * ((point - pose.center) / pose.radius);
+  const double to_ball = glm::length(unit) - 1.0;
+  const glm::vec3 steps(distances.steps(unit));
+  if (!distances.holds(steps)) {
+    return pose.radius * to_ball;
+  }
+  const double error = std::sqrt(3.0) * distances.spacing();
+  return pose.radius * std::max(to_ball, distances.value(steps) - error);
+}
+
 void PlacedShapes::find_surroundings(const Pose& pose, std::uint32_t first,
                                      std::vector<std::uint32_t>& ids,
                                      Surroundings& surroundings) const {
-  constexpr double reach = 1.3;
-  find_near(pose.center, reach * pose.radius + spacing_, first, ids);
+  // Sees all that is near the ball of this radius, in which the pose stays.
+  const double reach = 1.3 * pose.radius;
+  find_near(pose.center, reach + spacing_, first, ids);
   surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
   for (const std::uint32_t other : ids) {
-    const double together = poses_[other].radius + reach * pose.radius + spacing_;
-    if (glm::distance(poses_[other].center, pose.center) < together) {
+    if (least_distance(other, pose.center) < reach + spacing_) {
       surroundings.add(*shapes_[other], poses_[other]);
     }
   }
@@ -57,8 +72,8 @@ bool PlacedShapes::blocks(const ShapedElement& shape, const Pose& pose, Linking 
   const CollisionShape& own = shape.collision();
   find_near(pose.center, pose.radius + spacing_, 0, ids);
   const bool meets = std::ranges::any_of(ids, [&](std::uint32_t other) {
-    const Pose& there = poses_[other];
-    if (glm::distance(there.center, pose.center) > there.radius + pose.radius + spacing_) {
+    constexpr double rounding = 1.0 + 1e-6;
+    if (least_distance(other, pose.center) > rounding * (pose.radius + spacing_)) {
       return false;
     }
     const Instance& neighbour = instances_[other];

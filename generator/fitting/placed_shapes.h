@@ -47,6 +47,8 @@ class PlacedShapes {
   /// Of instances from number `first` on, those that may come within `reach` of a point, rising.
   void find_near(const dvec3& center, double reach, std::uint32_t first,
                  std::vector<std::uint32_t>& ids) const;
+  /// No more than the distance from a point to an instance.
+  [[nodiscard]] double least_distance(std::uint32_t i, const dvec3& point) const;
   [[nodiscard]] bool leaves_target(const ShapedElement& shape, const Instance& instance) const;
 
   const ShapeTarget& target_;

@@ -27,6 +27,7 @@ double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
   turned_.resize(count);
   distance_.resize(count);
   away_.resize(count);
+  nearest_.resize(count);
   const glm::mat3 rotation(glm::mat3_cast(pose.rotation));
   const double unit = near_ != nullptr ? 1.0 : distances_.spacing();
   const glm::vec3 middle =
@@ -39,7 +40,7 @@ double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
     turned_[i] = rotation * spheres.centers[i];
     const glm::vec3 at = middle + radius * turned_[i];
     const float distance =
-        near_ != nullptr ? near_->value(at, away_[i]) : distances_.value(at, away_[i]);
+        near_ != nullptr ? near_->value(at, away_[i], nearest_[i]) : distances_.value(at, away_[i]);
     distance_[i] = (distance - margin) * units_per_world;
     worst = std::max(worst, spheres.radii[i] - distance_[i]);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/rng.h"
@@ -37,7 +38,10 @@ class PoseOptimizer {
       : distances_(distances), margin_(margin) {}
 
   /// From now on distances are those of `near`, which must live as long; nullptr: of the whole.
-  void look_at(const Surroundings* near) { near_ = near; }
+  void look_at(const Surroundings* near) {
+    near_ = near;
+    nearest_.clear();
+  }
   /// By how much the worst sphere reaches beyond the free space, in units of the radius.
   double violation(const SphereSet& spheres, const Pose& pose);
   [[nodiscard]] bool fits(const SphereSet& spheres, const Pose& pose) {
@@ -65,6 +69,8 @@ class PoseOptimizer {
   std::vector<glm::vec3> turned_;
   std::vector<float> distance_;
   std::vector<glm::vec3> away_;
+  /// By sphere, which of the surroundings was the nearest before.
+  std::vector<std::uint32_t> nearest_;
 };
 
 }  // namespace collage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "fitting/distance_field.h"
@@ -26,7 +27,9 @@ class Surroundings {
     return glm::vec3(point - origin_);
   }
   /// At a point given from the origin, with the direction in which the distance grows fastest.
-  float value(const glm::vec3& point, glm::vec3& direction) const;
+  /// `nearest` is any number, or a guess as to which neighbour is the nearest, so that most of the
+  /// others need no look, and becomes the number of the one that is.
+  float value(const glm::vec3& point, glm::vec3& direction, std::uint32_t& nearest) const;
 
  private:
   struct Neighbour {

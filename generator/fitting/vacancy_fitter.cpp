@@ -10,10 +10,12 @@ namespace {
 constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
 
 /// There are about as many elements above a size as its power of -2.4 (the exponent of sizes that
-/// the audit finds): with this one large and small ones cost alike.
-double effort(double size_over_least) {
+/// the audit finds): with this, large and small ones cost alike. Of what is spent on a hole a kind
+/// gets its share.
+double effort(double size_over_least, double share) {
+  constexpr double exponent = 2.4;
   constexpr double most = 400.0;
-  return std::clamp(size_over_least * size_over_least, 1.0, most);
+  return std::max(1.0, share * std::min(most, std::pow(size_over_least, exponent)));
 }
 
 }  // namespace
@@ -55,6 +57,9 @@ Pose VacancyFitter::best_of(std::span<const Pose> candidates, const Vacancy& vac
     for (const SphereSet* spheres : {&kind.shape->fine(), &kind.shape->cautious()}) {
       const double enough = std::max(least, best.radius);
       const Pose pose = polished(kind, *spheres, candidate, enough, rng);
+      if (pose.radius < enough) {
+        break;  // nor will larger spheres get there
+      }
       const auto fitting = shrunk(kind, pose, enough);
       if (fitting && (!vacancy.host || placed_.linked(*kind.shape, *fitting, *vacancy.host))) {
         best = *fitting;
@@ -74,6 +79,7 @@ void VacancyFitter::open(Vacancy& vacancy, const Kind& kind, double least,
     vacancy.clearance = peak.distance - spacing_;
   }
   vacancy.openings += 1;
+  const double size_over_least = vacancy.key / (kind.least_radius * kind.key_per_radius);
   const Pose previous = vacancy.pose;
   vacancy.pose = Pose{};
   if (vacancy.host || vacancy.clearance > 0.3 * space_.distances().spacing()) {
@@ -82,7 +88,7 @@ void VacancyFitter::open(Vacancy& vacancy, const Kind& kind, double least,
                                       .hole = vacancy.hole,
                                       .least_radius = 0.9 * least,
                                       .largest_radius = kind.largest_radius,
-                                      .effort = effort(vacancy.key / (least * kind.key_per_radius)),
+                                      .effort = effort(size_over_least, kind.share),
                                       .previous = previous};
     const std::span<const Pose> candidates =
         vacancy.host ? finder.find_linked(request, placed_.opening_of(*vacancy.host), rng)
