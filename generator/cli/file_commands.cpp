@@ -32,7 +32,7 @@ void export_sculpture(const fs::path& folder, const fs::path& obj, Terminal& ter
 
 void export_distances(const fs::path& mesh_path, const fs::path& sdf, int resolution,
                       Terminal& terminal) {
-  const Mesh mesh = read_mesh(mesh_path, Repair::orient, terminal).mesh;
+  const Mesh mesh = read_mesh(mesh_path, Repair::full, terminal).mesh;
   const MeshTarget target(mesh);
   write_distance_grid(sdf, sample_distance_grid(target.solid(), target.box(), resolution));
 }
@@ -88,7 +88,7 @@ Mesh covering_of(const Mesh& mesh) {
 }
 
 void write_covering(const fs::path& obj, const fs::path& path, Terminal& terminal) {
-  write_obj(path, covering_of(read_mesh(obj, Repair::orient, terminal).mesh), "");
+  write_obj(path, covering_of(read_mesh(obj, Repair::full, terminal).mesh), "");
   fmt::print("{}\n", path.string());
 }
 

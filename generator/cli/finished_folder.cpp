@@ -82,7 +82,7 @@ FinishedFolder read_finished_folder(const fs::path& folder, Status& status) {
     reading.add(sculpture.elements[e], sculpture.options.elements[e].repair, finished.elements[e]);
   }
   for (std::size_t k = 0; k < finished.props.size(); ++k) {
-    reading.add(sculpture.props[k], Repair::orient, finished.props[k]);
+    reading.add(sculpture.props[k], Repair::full, finished.props[k]);
   }
   if (sculpture.options.target.sdf.empty()) {
     reading.add(sculpture.target, sculpture.options.target.repair, finished.target.emplace());

@@ -81,7 +81,7 @@ Workshop::Workshop(const Scene& scene, Status& status) {
   }
   read_target(scene.target, status);
   for (const std::string& prop : scene.render.props) {
-    props.push_back(read_mesh(prop, Repair::orient, status));
+    props.push_back(read_mesh(prop, Repair::full, status));
   }
   elements.resize(count);
   constexpr std::size_t few = 8;

@@ -8,7 +8,7 @@ namespace collage {
 
 MeshFile read_mesh(const std::filesystem::path& path, Repair repair, Status& status) {
   MeshFile file = read_obj(path, status);
-  if (repair == Repair::orient) {
+  if (repair == Repair::full) {
     for (const std::string& done : collage::repair(file.mesh)) {
       status.note(path.filename().string() + ": " + done);
     }

@@ -36,7 +36,7 @@ MeshReport check_mesh(const Mesh& mesh);
 std::string text_of(const MeshReport& report);
 
 /// What is done to a mesh that is not as it should be: repair(), or nothing.
-enum class Repair { orient, none };
+enum class Repair { full, none };
 
 /// What orient() did. A sheet is a set of triangles that must be turned over together; parts that
 /// only touch at an edge are sheets of their own.

@@ -19,7 +19,7 @@ constexpr const char* mesh_places =
 constexpr const char* repair_help =
     "whether the mesh is put right, by welding, closing small holes, and turning faces so that "
     "they agree and its parts face outwards, or taken as the file has it";
-const std::vector<std::string> repair_words{"orient", "none"};
+const std::vector<std::string> repair_words{"full", "none"};
 const std::vector<std::string> qualities{"draft", "standard", "fine"};
 const std::vector<std::string> looks{"studio", "daylight", "clay", "x-ray", "breakdown"};
 const std::vector<std::string> views{"front", "three-quarter", "right", "back", "left", "top"};

@@ -22,7 +22,7 @@ struct Scene {
     std::filesystem::path mesh;
     std::filesystem::path sdf;
     LetterOptions text;
-    Repair repair = Repair::orient;
+    Repair repair = Repair::full;
     int resolution = 100;
     double jitter = 0.5;
   };
@@ -30,7 +30,7 @@ struct Scene {
     /// Exactly one of the two is set; letters by their string.
     std::filesystem::path mesh;
     LetterOptions text;
-    Repair repair = Repair::orient;
+    Repair repair = Repair::full;
     std::vector<double> scales{1.0};
     double weight = 1.0;
     double left = 0.0;

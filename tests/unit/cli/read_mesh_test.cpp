@@ -81,7 +81,7 @@ class DirtyMesh : public ::testing::TestWithParam<Outcome> {
  protected:
   [[nodiscard]] Mesh read(const std::string& obj) {
     write_file(folder_.path() / "m.obj", obj);
-    return read_mesh(folder_.path() / "m.obj", Repair::orient, status_).mesh;
+    return read_mesh(folder_.path() / "m.obj", Repair::full, status_).mesh;
   }
 
   [[nodiscard]] std::string outcome(const std::string& target_obj, const std::string& element_obj) {

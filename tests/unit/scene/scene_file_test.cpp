@@ -78,7 +78,7 @@ stages = [0.02, 0.2, 1]
   EXPECT_EQ(scene.target.resolution, 64);
   EXPECT_EQ(scene.target.jitter, 1.0);
   EXPECT_EQ(scene.target.repair, Repair::none);
-  EXPECT_EQ(scene.elements.at(0).repair, Repair::orient);
+  EXPECT_EQ(scene.elements.at(0).repair, Repair::full);
   EXPECT_EQ(scene.elements.at(0).scales, (std::vector<double>{1, 0.5}));
   EXPECT_EQ(scene.elements.at(0).color, "#c8102e");
   EXPECT_EQ(scene.elements.at(1).weight, 2.5);
