@@ -12,9 +12,9 @@ namespace collage {
 using Loop = std::vector<dvec3>;
 
 /// How often one loop goes round the other; the sign is the way round. The loops must not meet.
-/// Counts where `a` crosses in front of `b`, seen from a direction of no meaning; where it cannot be
-/// told for certain which way two pieces cross, by the slow twin. Allocates nothing.
-/// Cost: |a| |b| comparisons of intervals.
+/// Counts where `a` crosses in front of `b`, seen from a direction of no meaning; where it cannot
+/// be told for certain which way two pieces cross, by the slow twin. Allocates nothing. Cost: |a|
+/// |b| comparisons of intervals.
 int linking_number(std::span<const dvec3> a, std::span<const dvec3> b);
 
 /// The slow twin: Gauss's integral, which for straight pieces is a sum of solid angles (Klenin and

@@ -17,8 +17,8 @@ struct EmbreeClosestPoint::Search {
 bool EmbreeClosestPoint::visit(RTCPointQueryFunctionArguments* arguments) {
   auto& search = *static_cast<Search*>(arguments->userPtr);
   const std::size_t t = arguments->primID;
-  const dvec3 point = closest_point_on_triangle(
-      search.query, search.mesh.corner(t, 0), search.mesh.corner(t, 1), search.mesh.corner(t, 2));
+  const dvec3 point = closest_point_on_triangle(search.query, search.mesh.corner(t, 0),
+                                                search.mesh.corner(t, 1), search.mesh.corner(t, 2));
   const double distance = glm::distance(search.query, point);
   if (distance >= search.best) {
     return false;

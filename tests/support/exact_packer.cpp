@@ -138,8 +138,8 @@ Packing exact_pack(const Target& target, ClearanceField& field,
       continue;
     }
     surfaces.instances.push_back(*instance);
-    packing.voxels_inside_instances +=
-        exact_update(field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, distance);
+    packing.voxels_inside_instances += exact_update(
+        field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, distance);
     if (options.climb && field.block(peak->block).upper[peak->slot] == peak->upper) {
       field.close(*peak);
     }
