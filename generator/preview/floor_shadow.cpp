@@ -113,7 +113,9 @@ double FloorShadow::stopped(double x, double z) const {
   const auto weights_j = spline_weights(along - j);
   double sum = 0.0;
   for (int dj = 0; dj < 4; ++dj) {
-    const auto row = static_cast<std::size_t>((j + dj) * control_count() + i);
+    const std::size_t row =
+        static_cast<std::size_t>(j + dj) * static_cast<std::size_t>(control_count()) +
+        static_cast<std::size_t>(i);
     for (int di = 0; di < 4; ++di) {
       sum += weights_j[static_cast<std::size_t>(dj)] * weights_i[static_cast<std::size_t>(di)] *
              stopped_[row + static_cast<std::size_t>(di)];

@@ -85,7 +85,7 @@ std::string inputs_text(const Sculpture& sculpture) {
 
 /// A path that stays in the folder, whatever the file says.
 fs::path inner_path(const json& value) {
-  const fs::path path = fs::path(text(value)).lexically_normal();
+  fs::path path = fs::path(text(value)).lexically_normal();
   if (path.empty() || path.is_absolute() || *path.begin() == "..") {
     throw Problem{"", "is not a path inside the folder"};
   }
@@ -93,7 +93,7 @@ fs::path inner_path(const json& value) {
 }
 
 std::string digest(const json& value) {
-  const std::string result = text(value);
+  std::string result = text(value);
   if (result.size() != 64 || result.find_first_not_of("0123456789abcdef") != std::string::npos) {
     throw Problem{"", "is not a SHA-256 of 64 hexadecimal digits"};
   }
