@@ -130,7 +130,7 @@ std::vector<Bar> teapot() {
 /// On a finer lattice than others: what is to be filled is thin.
 std::vector<Bar> chair() {
   Scene scene = scene_of(own_mesh("chair/chair-target.obj"), {own_mesh("chair/chair.obj")});
-  scene.target.resolution = 140;
+  scene.target.resolution = 160;
   return fill_and_time("chair of chairs", scene, 15.0, 90.0);
 }
 
