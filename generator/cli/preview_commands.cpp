@@ -205,8 +205,6 @@ int run_sweep(const SweepArguments& arguments, const CommonArguments& common, Te
 }
 
 int run_preview(const PreviewArguments& arguments, Terminal& terminal) {
-  // Meanwhile, for the pictures to come.
-  const std::future<void> loading = std::async(std::launch::async, [] { imaging(); });
   const fs::path folder = folder_of(arguments, terminal);
   const FinishedFolder finished = read_finished_folder(folder, terminal);
   const Scene& scene = finished.sculpture.options;
@@ -216,6 +214,8 @@ int run_preview(const PreviewArguments& arguments, Terminal& terminal) {
     throw Error(fmt::format("-o names one picture and there are {} views", views.size()),
                 "choose one with --view");
   }
+  // Meanwhile, for the pictures to come.
+  const std::future<void> loading = std::async(std::launch::async, [] { imaging(); });
   const Composition composition = composition_of(finished);
   const Stage stage(terminal, "previewing");
   const Preview preview(composition, texture_reader(terminal));

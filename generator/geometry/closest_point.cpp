@@ -44,9 +44,16 @@ struct Prisms {
   }
 };
 
+/// How far unit vectors may be off, and off right angles to each other.
+constexpr double exact_enough = 1e-9;
+
+bool is_unit_and_across(const dvec3& v, const dvec3& other) {
+  return std::abs(glm::dot(v, v) - 1.0) < exact_enough &&
+         std::abs(glm::dot(v, other)) < exact_enough;
+}
+
 /// A triangle too thin to tell its plane is given planes that bound nothing.
 void Prisms::set(std::size_t lane, std::uint32_t triangle, const Corners& corners) {
-  constexpr double exact_enough = 1e-9;
   triangles[lane] = triangle;
   const auto unit = [](const dvec3& v) {
     const double length = glm::length(v);
@@ -104,7 +111,12 @@ FlatBox::FlatBox(const std::vector<Corners>& all, std::span<const std::uint32_t>
       }
     }
     along = glm::normalize(along);
-    axes = {normal, along, glm::normalize(glm::cross(normal, along))};
+    const dvec3 beside = glm::cross(normal, along);
+    // Of what is tiny, or much taller than wide, rounding may take the angles.
+    if (is_unit_and_across(normal, along) && is_unit_and_across(along, beside) &&
+        is_unit_and_across(beside, normal)) {
+      axes = {normal, along, beside};
+    }
   }
   for (int k = 0; k < 3; ++k) {
     double low = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "geometry/embree_scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include <tbb/task_arena.h>
@@ -54,6 +55,19 @@ bool EmbreeScene::occluded(RTCRay ray) const {
   rtcOccluded1(scene_, &context, &ray);
 #endif
   return ray.tfar < 0.0F;
+}
+
+RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction) {
+  RTCRay ray{};
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tfar = std::numeric_limits<float>::infinity();
+  ray.mask = ~0U;
+  return ray;
 }
 
 RTCGeometry embree_triangles(const Mesh& mesh) {

@@ -41,6 +41,9 @@ class EmbreeScene {
   RTCScene scene_;
 };
 
+/// A ray without end; `direction` is a unit vector.
+RTCRay embree_ray(const glm::vec3& origin, const glm::vec3& direction);
+
 /// The mesh's triangles in float.
 RTCGeometry embree_triangles(const Mesh& mesh);
 

@@ -1,6 +1,5 @@
 #include "geometry/instanced_scene.h"
 
-#include <limits>
 #include <vector>
 
 #include "geometry/bounding_sphere.h"
@@ -35,19 +34,6 @@ RTCGeometry embree_instance(const UnitShape& shape, const Instance& instance) {
   return geometry;
 }
 
-RTCRay embree_ray(const Ray& ray) {
-  RTCRay result{};
-  result.org_x = ray.origin.x;
-  result.org_y = ray.origin.y;
-  result.org_z = ray.origin.z;
-  result.dir_x = ray.direction.x;
-  result.dir_y = ray.direction.y;
-  result.dir_z = ray.direction.z;
-  result.tfar = std::numeric_limits<float>::infinity();
-  result.mask = ~0U;
-  return result;
-}
-
 }  // namespace
 
 struct InstancedScene::Hierarchy {
@@ -76,7 +62,7 @@ InstancedScene::InstancedScene(InstancedScene&&) noexcept = default;
 InstancedScene& InstancedScene::operator=(InstancedScene&&) noexcept = default;
 
 RayHit InstancedScene::closest(const Ray& ray) const {
-  const RTCRayHit found = hierarchy_->scene.closest(embree_ray(ray));
+  const RTCRayHit found = hierarchy_->scene.closest(embree_ray(ray.origin, ray.direction));
   const RTCHit& hit = found.hit;
   return hit.geomID == RTC_INVALID_GEOMETRY_ID
              ? RayHit{}
@@ -84,7 +70,7 @@ RayHit InstancedScene::closest(const Ray& ray) const {
 }
 
 bool InstancedScene::occluded(const Ray& ray) const {
-  return hierarchy_->scene.occluded(embree_ray(ray));
+  return hierarchy_->scene.occluded(embree_ray(ray.origin, ray.direction));
 }
 
 }  // namespace collage

@@ -30,16 +30,7 @@ std::optional<RTCRay> unit_ray(dvec3 origin, const dvec3& direction) {
   if (!(glm::length(origin) <= farthest_start)) {
     return std::nullopt;
   }
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(origin.x);
-  ray.org_y = static_cast<float>(origin.y);
-  ray.org_z = static_cast<float>(origin.z);
-  ray.dir_x = static_cast<float>(direction.x);
-  ray.dir_y = static_cast<float>(direction.y);
-  ray.dir_z = static_cast<float>(direction.z);
-  ray.tfar = std::numeric_limits<float>::infinity();
-  ray.mask = ~0U;
-  return ray;
+  return embree_ray(origin, direction);
 }
 
 /// A mesh within the unit ball.

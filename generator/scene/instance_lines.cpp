@@ -61,9 +61,7 @@ bool read_instance(std::string_view line, std::size_t element_count, Instance& i
       !read_numbers(line, {&t.x, &t.y, &t.z}) || line != "}") {
     return false;
   }
-  return instance.element < element_count && instance.scale > 0.0 &&
-         std::abs(std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z)) - 1.0) <=
-             quaternion_tolerance;
+  return instance.element < element_count && instance.scale > 0.0 && is_unit(q);
 }
 
 /// Without the commas at the ends of all but the last; nothing where one is missing.
@@ -84,6 +82,12 @@ std::optional<std::vector<std::string_view>> items(std::string_view lines) {
 }
 
 }  // namespace
+
+bool is_unit(const glm::dquat& rotation) {
+  constexpr double tolerance = 1e-6;
+  const glm::dquat& q = rotation;
+  return std::abs(std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z)) - 1.0) <= tolerance;
+}
 
 void append_instance(std::string& text, const Instance& instance) {
   const glm::dquat& q = instance.rotation;

@@ -10,8 +10,8 @@
 
 namespace collage {
 
-/// A rotation's quaternion may be off its unit length by this.
-inline constexpr double quaternion_tolerance = 1e-6;
+/// Whether a rotation read from a file is one; its length may be off by 10⁻⁶.
+bool is_unit(const glm::dquat& rotation);
 
 /// Appends an instance as an item of sculpture.json, which has one a line.
 void append_instance(std::string& text, const Instance& instance);

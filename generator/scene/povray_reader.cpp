@@ -121,12 +121,18 @@ class Reader {
         --depth;
       } else if (skip(line_, "#if (")) {
         instances.push_back(read_instance());
-      } else if (!line_.starts_with("bounded_by { box { <") &&
-                 !line_.starts_with("object { Prop_") && line_ != "interior { Element_Interior }" &&
+      } else if (!line_.starts_with("bounded_by { box { <") && !is_prop(line_) &&
+                 line_ != "interior { Element_Interior }" &&
                  line_ != "transform { Place_Sculpture }") {
         fail();
       }
     }
+  }
+
+  /// `object { Prop_3 }`, and nothing after it.
+  static bool is_prop(std::string_view line) {
+    std::uint32_t number = 0;
+    return skip(line, "object { Prop_") && read_number(line, number) && line == " }";
   }
 
   /// The rest of `#if (17 < Shown[3]) object { Element_3 matrix <12 numbers> } #end`.

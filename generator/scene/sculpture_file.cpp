@@ -1,7 +1,6 @@
 #include "scene/sculpture_file.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -113,10 +112,11 @@ std::array<double, count> numbers(const json& value) {
 
 glm::dquat unit_quaternion(const json& value) {
   const auto [w, x, y, z] = numbers<4>(value);
-  if (std::abs(std::hypot(std::hypot(w, x), std::hypot(y, z)) - 1.0) > quaternion_tolerance) {
+  const glm::dquat rotation(w, x, y, z);
+  if (!is_unit(rotation)) {
     throw Problem{"", "is not a unit quaternion"};
   }
-  return {w, x, y, z};
+  return rotation;
 }
 
 glm::dvec3 vector(const json& value) {

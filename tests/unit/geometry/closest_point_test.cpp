@@ -52,6 +52,41 @@ TEST(ClosestPointIndex, NeverFarFromBruteForceAndNeverNearer) {
 }
 
 /// Wherever the search begins, and also among slivers, triangles without area and large flat faces.
+/// Stacks of triangles much taller than wide, and ones whose angles are lost in double.
+TEST(ClosestPointIndex, OfTinyTrianglesIsNeverTooFar) {
+  struct Stack {
+    double size;
+    double height;
+  };
+  for (const auto& [size, height] : {Stack{1e-6, 1.0},
+                                     {1e-10, 1.0},
+                                     {1e-13, 1.0},
+                                     {1e-79, 1e-79},
+                                     {1e-80, 1e-80},
+                                     {1e-81, 1e-81},
+                                     {1e-160, 1e-160}}) {
+    Mesh mesh;
+    Rng rng(5, 6);
+    for (std::uint32_t t = 0; t < 64; ++t) {
+      const dvec3 at = glm::normalize(dvec3(0.3, 0.5, 0.8)) * (height * t / 64.0);
+      for (int k = 0; k < 3; ++k) {
+        dvec3 corner(0.1 * rng.uniform());
+        corner[k] += 1.0;  // so that all face much the same way
+        mesh.positions.push_back(at + size * corner);
+      }
+      mesh.triangles.push_back(3 * t + uvec3(0, 1, 2));
+    }
+    const ClosestPointIndex index(mesh);
+    for (int i = 0; i < 200; ++i) {
+      const dvec3 query(rng.uniform(), rng.uniform(), rng.uniform());
+      const double least = brute_force_distance(mesh, query);
+      const auto found = index.find(query, (1.0 + 1e-12) * least);
+      ASSERT_TRUE(found) << size;
+      EXPECT_EQ(found->distance, least) << size;
+    }
+  }
+}
+
 TEST(ClosestPointIndex, HintsChangeNothing) {
   Mesh slivers = test::box_mesh(dvec3(-0.5), dvec3(0.5));
   Rng rng(9, 0);
