@@ -106,7 +106,8 @@ FolderAudit::StillFits still_fits(const FinishedFolder& finished, const Measures
 
 }  // namespace
 
-FolderAudit audit_folder(const fs::path& folder, const FinishedFolder& finished, Status& status) {
+FolderAudit audit_folder(const fs::path& folder, const FinishedFolder& finished, Status& status,
+                         Measuring measuring) {
   const Scene& scene = finished.sculpture.options;
   AuditInput input;
   input.target = finished.target ? &*finished.target : nullptr;
@@ -124,6 +125,9 @@ FolderAudit audit_folder(const fs::path& folder, const FinishedFolder& finished,
     const Stage stage(status, "auditing");
     result.audit = audit(input, status);
     result.scene_difference = scene_difference(folder, finished);
+  }
+  if (measuring == Measuring::nothing) {
+    return result;
   }
   const Stage stage(status, "measuring");
   MeasureInput measured;

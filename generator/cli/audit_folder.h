@@ -34,9 +34,12 @@ struct FolderAudit {
   }
 };
 
+/// What is found out beside the promises.
+enum class Measuring { all, nothing };
+
 /// Holds `finished`, read again from `folder`, and scene.pov against the promises, and measures it.
 FolderAudit audit_folder(const std::filesystem::path& folder, const FinishedFolder& finished,
-                         Status& status);
+                         Status& status, Measuring measuring = Measuring::all);
 
 /// One result for people.
 struct AuditLine {

@@ -327,6 +327,9 @@ void CommandLine::add_small_commands() {
   audit->add_option("folder", audit_.folder, "A folder that make or pack has written")->required();
   audit->add_option("--offenders", audit_.offenders,
                     "Write a folder that holds only the instances at fault, for `collage still`");
+  audit->add_flag_callback(
+      "--proof-only", [this] { audit_.measuring = Measuring::nothing; },
+      "Measure nothing, which takes longer than the proof");
   add_common(audit);
   add_json(audit);
   audit->callback([this] { run_ = [this](Terminal& t) { return run_audit(audit_, common_, t); }; });

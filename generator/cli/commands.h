@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/audit_folder.h"
 #include "cli/terminal.h"
 #include "geometry/letters.h"
 #include "render/compare.h"
@@ -68,6 +69,7 @@ struct AuditArguments {
   std::filesystem::path folder;
   /// Where the instances that break a promise go; empty: nowhere.
   std::filesystem::path offenders;
+  Measuring measuring = Measuring::all;
 };
 /// Holds the promises against a finished folder and measures it; writes audit.json there; exit code
 /// 1: a promise is broken.

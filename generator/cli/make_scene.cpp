@@ -9,8 +9,8 @@
 namespace collage {
 
 FolderAudit audit_and_note(const std::filesystem::path& folder, const FinishedFolder& finished,
-                           Status& status) {
-  FolderAudit result = audit_folder(folder, finished, status);
+                           Status& status, Measuring measuring) {
+  FolderAudit result = audit_folder(folder, finished, status, measuring);
   write_file(folder / "audit.json", audit_json(result));
   if (result.measures.silhouette_iou) {
     write_outline(outline_path(folder), result.measures.silhouette_iou->worst_picture);

@@ -28,6 +28,6 @@ MadeScene make_scene(const Scene& scene, const std::string& command,
 
 /// Audits a finished folder and writes audit.json there.
 FolderAudit audit_and_note(const std::filesystem::path& folder, const FinishedFolder& finished,
-                           Status& status);
+                           Status& status, Measuring measuring = Measuring::all);
 
 }  // namespace collage

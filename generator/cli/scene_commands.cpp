@@ -151,7 +151,8 @@ int run_pack(const SceneArguments& arguments, const CommonArguments& common, Ter
 int run_audit(const AuditArguments& arguments, const CommonArguments& common, Terminal& terminal) {
   const FinishedFolder finished = read_finished_folder(arguments.folder, terminal);
   note_incomplete(arguments.folder, finished.sculpture, terminal);
-  const FolderAudit result = audit_and_note(arguments.folder, finished, terminal);
+  const FolderAudit result =
+      audit_and_note(arguments.folder, finished, terminal, arguments.measuring);
   if (!arguments.offenders.empty()) {
     write_offenders(arguments.folder, finished, result.audit, arguments.offenders, terminal);
   }
