@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "geometry/boxes.h"
@@ -23,7 +24,7 @@ std::vector<dvec3> find_part_vertices(const Mesh& mesh) {
   return vertices;
 }
 
-/// Boxes of b seen from a, widened by what rounding and the gap may do to them.
+/// Points of b seen from a, and boxes, widened by what rounding and the gap may do to them.
 class BoxMap {
  public:
   BoxMap(const Instance& a, const Instance& b, double gap, double size_of_a) {
@@ -37,6 +38,9 @@ class BoxMap {
     slack_ = 1e-12 * (world / a.scale + size_of_a) + gap / a.scale;
   }
 
+  /// By how much a point or the gap may be off, in a's units.
+  [[nodiscard]] double slack() const { return slack_; }
+  [[nodiscard]] dvec3 operator()(const dvec3& point) const { return matrix_ * point + offset_; }
   [[nodiscard]] Box operator()(const Box& box) const {
     const dvec3 center = matrix_ * box.center() + offset_;
     const dvec3 half = absolute_ * (0.5 * box.extent()) + slack_;
@@ -49,6 +53,24 @@ class BoxMap {
   dvec3 offset_;
   double slack_;
 };
+
+/// True only where one triangle lies on one side of the other's plane, farther from it than the
+/// slack: most pairs whose boxes meet. Corners of t may be off by the slack.
+bool plane_parts(const Corners& s, const Corners& t, double slack) {
+  const dvec3 u = s[1] - s[0];
+  const dvec3 v = s[2] - s[0];
+  const dvec3 normal = glm::cross(u, v);
+  const dvec3 heights(glm::dot(normal, t[0] - s[0]), glm::dot(normal, t[1] - s[0]),
+                      glm::dot(normal, t[2] - s[0]));
+  const double lengths = glm::length(u) + glm::length(v);
+  const double farthest =
+      std::sqrt(std::max({glm::dot(t[0] - s[0], t[0] - s[0]), glm::dot(t[1] - s[0], t[1] - s[0]),
+                          glm::dot(t[2] - s[0], t[2] - s[0])}));
+  // Whichever of the two triangles is off: the normal by 2 slack · lengths, the corners by 2 slack.
+  const double margin = 4.0 * (slack + 1e-13 * farthest) * lengths * (lengths + farthest);
+  return std::min({heights.x, heights.y, heights.z}) > margin ||
+         std::max({heights.x, heights.y, heights.z}) < -margin;
+}
 
 Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t triangle) {
   return {instance.world_from_element(mesh.corner(triangle, 0)),
@@ -83,6 +105,13 @@ bool surfaces_come_within(double gap, const CollisionShape& a, const Instance& i
       continue;
     }
     if (na.is_leaf() && nb.is_leaf()) {
+      const Corners own{a.mesh().corner(na.item, 0), a.mesh().corner(na.item, 1),
+                        a.mesh().corner(na.item, 2)};
+      const Corners other{in_a(b.mesh().corner(nb.item, 0)), in_a(b.mesh().corner(nb.item, 1)),
+                          in_a(b.mesh().corner(nb.item, 2))};
+      if (plane_parts(own, other, in_a.slack()) || plane_parts(other, own, in_a.slack())) {
+        continue;
+      }
       const Corners s = world_corners(a.mesh(), instance_a, na.item);
       const Corners t = world_corners(b.mesh(), instance_b, nb.item);
       if (gap > 0.0 ? triangle_distance(s, t) <= gap : triangles_intersect(s, t)) {

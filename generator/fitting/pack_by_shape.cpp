@@ -21,7 +21,7 @@ namespace {
 /// Places opened at a time, whatever the number of threads: of each kind fewer where there are
 /// many, since each turn of another kind costs some of them their poses.
 constexpr std::size_t batch = 8;
-constexpr std::size_t least_batch = 2;
+constexpr std::size_t least_batch = 4;
 /// A hole is offered to two kinds, or to one of many: tried in vain, it is offered to another in
 /// the next sweep.
 constexpr std::size_t few_kinds = 2;

@@ -36,7 +36,7 @@ double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
   const auto units_per_world = static_cast<float>(1.0 / pose.radius);
   const auto margin = static_cast<float>(margin_);
   float worst = -1e30F;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const std::size_t i : spheres.order) {
     turned_[i] = rotation * spheres.centers[i];
     const glm::vec3 at = middle + radius * turned_[i];
     const float distance =

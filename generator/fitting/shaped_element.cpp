@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/surface_points.h"
 
@@ -40,6 +41,19 @@ Sphere deepest(const SphereCover& cover) {
   return {largest->center, std::max(0.0, largest->radius - cover.bulge)};
 }
 
+/// Place of a point of the cube [-1, 1]³ on Morton's curve, with 10 bits an axis.
+std::uint32_t morton_code(const glm::vec3& point) {
+  std::uint32_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto steps =
+        static_cast<std::uint32_t>(glm::clamp(point[axis] + 1.0F, 0.0F, 1.99F) * 512.0F);
+    for (int bit = 0; bit < 10; ++bit) {
+      code |= (steps >> bit & 1U) << (3 * bit + axis);
+    }
+  }
+  return code;
+}
+
 std::vector<Loop> find_loops(const Mesh& unit_mesh) {
   constexpr std::size_t most_loops = 8;
   std::vector<Loop> loops = handle_loops(unit_mesh);
@@ -62,6 +76,9 @@ SphereSet::SphereSet(const SphereCover& cover, double trusted) {
     const double given_away = trusted * std::min(cover.bulge, sphere.radius - cover.bulge);
     radii.push_back(static_cast<float>(sphere.radius - std::max(0.0, given_away)));
   }
+  order.resize(centers.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return morton_code(centers[i]); });
 }
 
 ShapeData measure_shape(const Mesh& mesh, const Element& element) {

@@ -19,6 +19,9 @@ struct SphereSet {
   /// Less than those of the cover by what is given away: where such spheres fit the solid may or
   /// may not, and the exact test decides.
   std::vector<float> radii;
+  /// All of their numbers, each near the one before it: who goes this way finds most of what he
+  /// looks up in a lattice in the cache.
+  std::vector<std::uint32_t> order;
 };
 
 /// What of an element's shape takes long to find out, all in its unit frame.
