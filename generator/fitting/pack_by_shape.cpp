@@ -113,14 +113,16 @@ double ShapePacker::apart(double clearance) const {
   return std::min(std::max(0.5 * clearance, 1.5 * voxel), 0.035 * longest_side_);
 }
 
+/// Above 1, the threshold of the core is kept away from the surface, where the outline is drawn.
 double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
+  constexpr double exponent = 1.5;
   if (options_.threshold_core <= 0.0) {
     return kind.least_radius;
   }
   const DistanceField& depths = space_.target_distances();
   const double depth = depths.value(glm::vec3(depths.steps(at))) / greatest_depth_;
-  const double threshold =
-      glm::mix(options_.threshold, options_.threshold_core, glm::clamp(depth, 0.0, 1.0));
+  const double threshold = glm::mix(options_.threshold, options_.threshold_core,
+                                    std::pow(glm::clamp(depth, 0.0, 1.0), exponent));
   return std::max(kind.least_radius, threshold * longest_side_);
 }
 

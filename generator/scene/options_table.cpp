@@ -132,7 +132,7 @@ void append_packing_options(std::vector<Option>& table) {
                           .maximum = 1,
                           .unit = "a fraction of the target's longest side, 0 for the same",
                           .help = "by shape: the threshold at the deepest point of the target, "
-                                  "blended by depth"}));
+                                  "blended by depth to the power of 1.5"}));
   table.push_back(option("packing.largest", [](auto& s) -> auto& { return s.packing.largest; },
                          {.minimum = 0.0001,
                           .maximum = 1,

@@ -170,7 +170,7 @@ std::vector<Bar> larger_in_the_core(const Filling& all_small, double outline) {
   constexpr double lost_at_most = 0.005;
   const std::string name = "bunny, larger ones in the core";
   Scene scene = carrots_and_hats();
-  scene.packing.threshold_core = 0.14;
+  scene.packing.threshold_core = 0.4;
   const Filling filling(scene, Fit::shape);
   const auto count = static_cast<double>(filling.count());
   const auto count_before = static_cast<double>(all_small.count());
