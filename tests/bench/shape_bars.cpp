@@ -286,7 +286,7 @@ std::vector<Group> shape_bars() {
           {"shape-any-mix", any_mix, Group::Meshes::field},
           {"shape-furniture", furniture, Group::Meshes::furniture},
           {"shape-growth", [] { return growth(0.5, 1.0, std::nullopt); }},
-          {"shape-growth-20000", [] { return growth(1.0, 2.5, 600.0); }, Group::Meshes::own,
+          {"shape-growth-20000", [] { return growth(1.0, 1.76, 600.0); }, Group::Meshes::own,
            Group::Named::in_full}};
 }
 
