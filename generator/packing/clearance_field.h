@@ -26,7 +26,7 @@ struct Hole {
 /// block that an instance comes near to.
 class ClearanceField {
  public:
-  /// One block of 8³ voxels, open to change by one thread at a time.
+  /// One block of voxels, open to change by one thread at a time.
   struct Block {
     glm::ivec3 first_voxel;
     /// No clearance is above this; negative where there is none.
@@ -47,7 +47,8 @@ class ClearanceField {
   /// Number of sample points inside the target.
   [[nodiscard]] std::size_t voxels_inside() const { return voxels_inside_; }
 
-  /// Nothing where no voxel has space left. Ties go to the voxel stored first. O(log n).
+  /// Nothing where no voxel has space left. Ties go to the first group of blocks, and in it to the
+  /// voxel of the least z, then y, then x. O(log n).
   [[nodiscard]] std::optional<Peak> peak() const;
 
   [[nodiscard]] Block block(std::size_t index);
@@ -70,7 +71,7 @@ class ClearanceField {
   [[nodiscard]] float scan_block(std::size_t index) const;
 
  private:
-  void sample(const Target& target, std::size_t block_index);
+  void sample(const Target& target, std::size_t group);
 
   VoxelGrid grid_;
   std::vector<float> upper_;
