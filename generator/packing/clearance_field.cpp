@@ -23,6 +23,7 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
   nearest_.assign(voxels, NearestSurface(target_surface));
   leaves_ = std::bit_ceil(std::max(blocks, VoxelGrid::group_blocks));
   maxima_.assign(2 * leaves_, -1.0F);
+  least_from_target_.assign(blocks, std::numeric_limits<float>::infinity());
   last_neighbour_.assign(blocks, 0);
 
   const glm::ivec3 n = grid_.groups();
@@ -44,12 +45,12 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
 
 void ClearanceField::sample(const Target& target, std::size_t group) {
   constexpr std::size_t side = VoxelGrid::group_side;
-  std::array<float*, side * side * side> uppers;
-  std::array<dvec3, uppers.size()> points;
-  std::array<double, uppers.size()> clearances;
+  std::array<std::pair<std::size_t, std::size_t>, side * side * side> slots;
+  std::array<dvec3, slots.size()> points;
+  std::array<double, slots.size()> clearances;
   std::size_t count = 0;
   const glm::ivec3 first_block = grid_.block_at(group * VoxelGrid::group_blocks);
-  for (std::size_t i = 0; i < uppers.size(); ++i) {
+  for (std::size_t i = 0; i < slots.size(); ++i) {
     // There and back again, so that each voxel is beside the one before it.
     const auto z = static_cast<int>(i / (side * side));
     const auto row = static_cast<int>(i / side % side);
@@ -60,14 +61,19 @@ void ClearanceField::sample(const Target& target, std::size_t group) {
     const glm::ivec3 local(x, y, z);
     const glm::ivec3 voxel = first_block * VoxelGrid::block_side + local;
     if (glm::all(glm::lessThan(voxel, grid_.size))) {
-      const std::size_t index = grid_.block_index(voxel / VoxelGrid::block_side);
-      uppers[count] = &block(index).upper[VoxelGrid::slot(local % VoxelGrid::block_side)];
+      slots[count] = {grid_.block_index(voxel / VoxelGrid::block_side),
+                      VoxelGrid::slot(local % VoxelGrid::block_side)};
       points[count++] = grid_.sample_point(voxel);
     }
   }
   target.clearances({points.data(), count}, {clearances.data(), count});
   for (std::size_t i = 0; i < count; ++i) {
-    *uppers[i] = rounded_down(clearances[i]);
+    const auto [block, slot] = slots[i];
+    const float clearance = rounded_down(clearances[i]);
+    upper_[block * VoxelGrid::block_voxels + slot] = clearance;
+    if (clearance >= 0.0F) {
+      least_from_target_[block] = std::min(least_from_target_[block], clearance);
+    }
   }
 }
 

@@ -56,6 +56,10 @@ class ClearanceField {
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).
   void set_block_maximum(std::size_t index, float maximum);
+  /// No voxel of the block that is inside the target is nearer to its surface.
+  [[nodiscard]] float least_from_target(std::size_t block) const {
+    return least_from_target_[block];
+  }
   /// Notes that instance `id` may be the nearest surface to voxels of a block.
   void add_neighbour(std::size_t block, SurfaceId id);
   /// Calls `visit(id)` for each such instance.
@@ -80,6 +84,7 @@ class ClearanceField {
   /// leaves_ and on.
   std::vector<float> maxima_;
   std::size_t leaves_ = 1;
+  std::vector<float> least_from_target_;
   std::size_t voxels_inside_ = 0;
 
   struct Neighbour {

@@ -238,7 +238,9 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   } else if (nearest.id() == several_surfaces) {
     found.clearance = upper;
     field.for_each_neighbour(peak.block, consider);
-    consider(target_surface);
+    if (field.least_from_target(peak.block) <= found.clearance) {
+      consider(target_surface);
+    }
   } else {
     found.clearance = upper;
     consider(nearest.id());
