@@ -58,16 +58,18 @@ struct VoxelGrid {
     return {s % block_side, s / block_side % block_side, s / (block_side * block_side)};
   }
 
-  [[nodiscard]] glm::dvec3 sample_point(const glm::ivec3& voxel) const {
+  /// Where in its voxel a sample point is drawn: three integers below 2²¹.
+  [[nodiscard]] glm::ivec3 draw(const glm::ivec3& voxel) const {
     const auto key = (static_cast<std::uint64_t>(voxel.z) << 42) |
                      (static_cast<std::uint64_t>(voxel.y) << 21) |
                      static_cast<std::uint64_t>(voxel.x);
     const std::uint64_t bits = mix_bits(mix_bits(seed) ^ key);
     constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
-    const glm::dvec3 uniform =
-        glm::dvec3(static_cast<double>(bits & mask), static_cast<double>(bits >> 21 & mask),
-                   static_cast<double>(bits >> 42 & mask)) *
-        0x1p-21;
+    return {static_cast<int>(bits & mask), static_cast<int>(bits >> 21 & mask),
+            static_cast<int>(bits >> 42 & mask)};
+  }
+  [[nodiscard]] glm::dvec3 sample_point(const glm::ivec3& voxel) const {
+    const glm::dvec3 uniform = glm::dvec3(draw(voxel)) * 0x1p-21;
     return origin + (glm::dvec3(voxel) + 0.5 + jitter * (uniform - 0.5)) * voxel_side;
   }
 };
