@@ -60,7 +60,7 @@ dvec3 CellCrossings::middle(std::size_t cell) const {
 /// Lists each triangle in the cells that its box and its plane meet.
 void CellCrossings::list_triangles(const Mesh& mesh) {
   const int side = cells_per_side_;
-  const double half = 1.0 / side + 1e-9;
+  const double half = 1.0 / side + margin;
   const auto visit_cells = [&](const Triangle& t, const auto& visit) {
     Box box;
     for (const dvec3& corner : t) {
@@ -70,8 +70,8 @@ void CellCrossings::list_triangles(const Mesh& mesh) {
       const dvec3 cell = glm::floor((point + 1.0) * (0.5 * side));
       return glm::ivec3(glm::clamp(cell, dvec3(0.0), dvec3(side - 1)));
     };
-    const glm::ivec3 first = cell_of(box.min - 1e-9);
-    const glm::ivec3 last = cell_of(box.max + 1e-9);
+    const glm::ivec3 first = cell_of(box.min - margin);
+    const glm::ivec3 last = cell_of(box.max + margin);
     const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
     const double reach = half * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
     glm::ivec3 at;

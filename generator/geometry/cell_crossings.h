@@ -22,6 +22,8 @@ class CellCrossings {
   /// `mesh` is closed, as is_closed() has it, and within the unit ball.
   CellCrossings(const Mesh& mesh, const WindingNumber& winding_number, int cells_per_side);
 
+  /// How far the surface stays away from empty cells.
+  static constexpr double margin = 1e-4;
   /// Empty cells have the winding number of their middles throughout.
   [[nodiscard]] bool is_empty(std::size_t cell) const { return starts_[cell] == starts_[cell + 1]; }
   [[nodiscard]] int winding_at_middle(std::size_t cell) const { return windings_[cell]; }

@@ -102,7 +102,8 @@ DistanceBounds::Grid::Grid(float half_width, int cells, const std::vector<Node>&
           }
         }
         const double gap = 0.5 * side * (moved.x + moved.y + moved.z);
-        gap_.push_back(static_cast<float>(gap + 3.0 * rounding));
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(gap + 3.0 * rounding));
+        gap_.push_back(static_cast<std::uint16_t>((bits + 0xffff) >> 16));
       }
     }
   }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/closest_point.h"
@@ -73,10 +75,11 @@ class DistanceBounds {
         const float first = along_x(from);
         return first + (along_x(from + row) - first) * t.y;
       };
+      const std::ptrdiff_t gap_index = (cell.z * (row - 1) + cell.y) * (row - 1) + cell.x;
       const float first = along_y(node);
       const float concave = first + (along_y(node + row * row) - first) * t.z;
       return {concave + glm::dot(query, query),
-              gap_.data()[(cell.z * (row - 1) + cell.y) * (row - 1) + cell.x]};
+              std::bit_cast<float>(std::uint32_t{gap_.data()[gap_index]} << 16)};
     }
 
     float half_side;
@@ -86,7 +89,8 @@ class DistanceBounds {
     float cells_per_unit_;
     /// d² - |x|² at the nodes, rounded down.
     std::vector<float> concave_;
-    std::vector<float> gap_;
+    /// The upper halves of floats, rounded up.
+    std::vector<std::uint16_t> gap_;
     std::vector<std::uint32_t> triangles_;
   };
 

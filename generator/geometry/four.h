@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 #include <glm/glm.hpp>
@@ -12,6 +13,7 @@ namespace collage {
 /// Four floats or two doubles at once, by vector instructions where the processor has them. The
 /// results of each are those of a scalar.
 using Four = float __attribute__((vector_size(16)));
+using FourIntegers = std::int32_t __attribute__((vector_size(16)));
 using Two = double __attribute__((vector_size(16)));
 inline constexpr std::size_t four_lanes = 4;
 /// Points: their x, y and z.

@@ -34,8 +34,7 @@ Solid::Solid(const Mesh& mesh, const dvec3& center, double radius)
     : center_(center),
       radius_(radius),
       surface_(in_unit_frame(mesh, center, radius)),
-      winding_number_(in_unit_frame(mesh, center, radius)),
-      cells_(static_cast<std::size_t>(cells_per_side) * cells_per_side * cells_per_side) {
+      winding_number_(in_unit_frame(mesh, center, radius)) {
   if (is_closed(mesh)) {
     crossings_.emplace(in_unit_frame(mesh, center, radius), winding_number_, cells_per_side);
     classify_by_crossings();
@@ -76,17 +75,18 @@ void Solid::classify(const CellBlock& block) {
 }
 
 void Solid::classify_by_crossings() {
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+  for (std::size_t cell = 0; cell < Cells::size; ++cell) {
     const Cell all = crossings_->winding_at_middle(cell) > 0 ? Cell::inside : Cell::outside;
-    cells_[cell] = crossings_->is_empty(cell) ? all : Cell::mixed;
+    cells_.set(cell, crossings_->is_empty(cell) ? all : Cell::mixed);
   }
 }
 
 void Solid::fill(const CellBlock& block, Cell state) {
   for (int k = block.k; k < block.k + block.side; ++k) {
     for (int j = block.j; j < block.j + block.side; ++j) {
-      const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(cell_index(block.i, j, k));
-      std::fill(row, row + block.side, state);
+      for (int i = block.i; i < block.i + block.side; ++i) {
+        cells_.set(cell_index(i, j, k), state);
+      }
     }
   }
 }
@@ -99,7 +99,7 @@ bool Solid::inside(const dvec3& unit_point) const {
   }
   const std::size_t index =
       cell_index(static_cast<int>(cell.x), static_cast<int>(cell.y), static_cast<int>(cell.z));
-  const Cell state = cells_[index];
+  const Cell state = cells_.at(index);
   if (state != Cell::mixed) {
     return state == Cell::inside;
   }
@@ -117,7 +117,7 @@ Solid::Sample Solid::sampled_volume() const {
   for (int k = 0; k < cells_per_side; ++k) {
     for (int j = 0; j < cells_per_side; ++j) {
       for (int i = 0; i < cells_per_side; ++i) {
-        const Cell state = cells_[cell_index(i, j, k)];
+        const Cell state = cells_.at(cell_index(i, j, k));
         if (state == Cell::mixed) {
           cells += share_inside({i, j, k, 1});
           mixed += 1.0;

@@ -34,6 +34,15 @@ class Solid {
   /// All of these in the unit frame.
   [[nodiscard]] const ClosestPointIndex& surface() const { return surface_; }
   [[nodiscard]] bool inside(const dvec3& unit_point) const;
+  /// What inside() is of all points less than `cell_margin` from one within the unit ball; nothing
+  /// where the surface may be that near to its cell.
+  [[nodiscard]] std::optional<bool> inside_by_cell(const glm::vec3& unit_point) const {
+    const glm::ivec3 cell((unit_point + 1.0F) * (0.5F * cells_per_side));
+    const glm::ivec3 nearest = glm::min(cell, cells_per_side - 1);
+    const Cell state = cells_.at(cell_index(nearest.x, nearest.y, nearest.z));
+    return state == Cell::mixed ? std::nullopt : std::optional(state == Cell::inside);
+  }
+  static constexpr double cell_margin = 0.9 * CellCrossings::margin;
   /// By the winding number alone: the slow twin of inside().
   [[nodiscard]] bool inside_by_winding_number(const dvec3& unit_point) const {
     return winding_number_.inside(unit_point);
@@ -49,6 +58,25 @@ class Solid {
   /// Cells on a side of the cube round the unit ball; a power of two.
   static constexpr int cells_per_side = 64;
   static constexpr int samples_per_cell = 2;
+
+  /// Four to a byte, so that they stay in the nearer caches.
+  class Cells {
+   public:
+    [[nodiscard]] Cell at(std::size_t index) const {
+      return static_cast<Cell>(bytes_[index / 4] >> index % 4 * 2 & 3);
+    }
+    void set(std::size_t index, Cell state) {
+      std::uint8_t& byte = bytes_[index / 4];
+      const auto shift = index % 4 * 2;
+      const unsigned others = byte & ~(3U << shift);
+      byte = static_cast<std::uint8_t>(others | static_cast<unsigned>(state) << shift);
+    }
+    static constexpr std::size_t size =
+        static_cast<std::size_t>(cells_per_side) * cells_per_side * cells_per_side;
+
+   private:
+    std::vector<std::uint8_t> bytes_ = std::vector<std::uint8_t>(size / 4);
+  };
 
   struct CellBlock;
   void classify(const CellBlock& block);
@@ -72,7 +100,7 @@ class Solid {
   /// Of a closed mesh.
   std::optional<CellCrossings> crossings_;
   /// Where a cell holds no surface the winding number need not be asked.
-  std::vector<Cell> cells_;
+  Cells cells_;
   double volume_ = 0.0;
 };
 

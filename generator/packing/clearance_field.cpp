@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 #include <tbb/parallel_for.h>
 
@@ -20,18 +21,19 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
                  "target.resolution");
   upper_.assign(voxels, -1.0F);
   nearest_.assign(voxels, NearestSurface(target_surface));
-  leaves_ = std::bit_ceil(blocks);
+  leaves_ = std::bit_ceil(std::max(blocks, VoxelGrid::group_blocks));
   maxima_.assign(2 * leaves_, -1.0F);
+  least_from_target_.assign(blocks, std::numeric_limits<float>::infinity());
   last_neighbour_.assign(blocks, 0);
 
-  const glm::ivec3 n = grid_.blocks();
+  const glm::ivec3 n = grid_.groups();
   const std::size_t layer = static_cast<std::size_t>(n.x) * n.y;
   for (int z = 0; z < n.z; ++z) {
     if (status.stop_requested()) {
       throw Interrupted();
     }
     const std::size_t first = static_cast<std::size_t>(z) * layer;
-    tbb::parallel_for(first, first + layer, [&](std::size_t index) { sample(target, index); });
+    tbb::parallel_for(first, first + layer, [&](std::size_t group) { sample(target, group); });
     status.update(static_cast<double>(z + 1) / n.z, "distances");
   }
   for (std::size_t index = 0; index < blocks; ++index) {
@@ -41,27 +43,37 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
       std::count_if(upper_.begin(), upper_.end(), [](float c) { return c >= 0.0F; }));
 }
 
-void ClearanceField::sample(const Target& target, std::size_t block_index) {
-  const Block view = block(block_index);
-  std::array<std::size_t, VoxelGrid::block_voxels> slots;
-  std::array<dvec3, VoxelGrid::block_voxels> points;
-  std::array<double, VoxelGrid::block_voxels> clearances;
+void ClearanceField::sample(const Target& target, std::size_t group) {
+  constexpr std::size_t side = VoxelGrid::group_side;
+  std::array<std::pair<std::size_t, std::size_t>, side * side * side> slots;
+  std::array<dvec3, slots.size()> points;
+  std::array<double, slots.size()> clearances;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < VoxelGrid::block_voxels; ++i) {
+  const glm::ivec3 first_block = grid_.block_at(group * VoxelGrid::group_blocks);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
     // There and back again, so that each voxel is beside the one before it.
-    const std::size_t row = i / VoxelGrid::block_side;
-    const std::size_t layer = row / VoxelGrid::block_side;
-    std::size_t slot = layer % 2 == 0 ? i : i ^ 56U;
-    slot = row % 2 == 0 ? slot : slot ^ 7U;
-    const glm::ivec3 voxel = view.first_voxel + VoxelGrid::local_at(slot);
+    const auto z = static_cast<int>(i / (side * side));
+    const auto row = static_cast<int>(i / side % side);
+    const auto in_row = static_cast<int>(i % side);
+    const int last = static_cast<int>(side) - 1;
+    const int y = z % 2 == 0 ? row : last - row;
+    const int x = y % 2 == z % 2 ? in_row : last - in_row;
+    const glm::ivec3 local(x, y, z);
+    const glm::ivec3 voxel = first_block * VoxelGrid::block_side + local;
     if (glm::all(glm::lessThan(voxel, grid_.size))) {
-      slots[count] = slot;
+      slots[count] = {grid_.block_index(voxel / VoxelGrid::block_side),
+                      VoxelGrid::slot(local % VoxelGrid::block_side)};
       points[count++] = grid_.sample_point(voxel);
     }
   }
   target.clearances({points.data(), count}, {clearances.data(), count});
   for (std::size_t i = 0; i < count; ++i) {
-    view.upper[slots[i]] = rounded_down(clearances[i]);
+    const auto [block, slot] = slots[i];
+    const float clearance = rounded_down(clearances[i]);
+    upper_[block * VoxelGrid::block_voxels + slot] = clearance;
+    if (clearance >= 0.0F) {
+      least_from_target_[block] = std::min(least_from_target_[block], clearance);
+    }
   }
 }
 
@@ -109,13 +121,28 @@ std::optional<ClearanceField::Peak> ClearanceField::peak() const {
     return std::nullopt;
   }
   std::size_t node = 1;
-  while (node < leaves_) {
+  while (node < leaves_ / VoxelGrid::group_blocks) {
     node = maxima_[2 * node] == maximum ? 2 * node : 2 * node + 1;
   }
-  const std::size_t index = node - leaves_;
-  const float* first = &upper_[index * VoxelGrid::block_voxels];
-  const float* at = std::find(first, first + VoxelGrid::block_voxels, maximum);
-  return Peak{index, static_cast<std::size_t>(at - first), maximum};
+  const std::size_t first_block = node * VoxelGrid::group_blocks - leaves_;
+  Peak first{0, 0, maximum};
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t b = first_block; b < first_block + VoxelGrid::group_blocks; ++b) {
+    if (block_maximum(b) == maximum) {
+      const float* upper = &upper_[b * VoxelGrid::block_voxels];
+      const auto slot = static_cast<std::size_t>(
+          std::find(upper, upper + VoxelGrid::block_voxels, maximum) - upper);
+      const glm::ivec3 at =
+          VoxelGrid::octant(b) * VoxelGrid::block_side + VoxelGrid::local_at(slot);
+      const int place = (at.z * VoxelGrid::group_side + at.y) * VoxelGrid::group_side + at.x;
+      if (place < least) {
+        least = place;
+        first.block = b;
+        first.slot = slot;
+      }
+    }
+  }
+  return first;
 }
 
 dvec3 ClearanceField::sample_point(const Peak& peak) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/four.h"
 #include "geometry/instance.h"
 #include "packing/element.h"
 #include "packing/nearest_surface.h"
@@ -53,7 +54,27 @@ class PlacedElement {
     const float upper = std::sqrt(std::max(0.0F, squared.lower + squared.gap)) + error;
     return Bounds{std::max(0.0F, lower) * radius * below_one, upper * radius * above_one};
   }
+  /// The same without a limit for four points, which may be off by `off` in the unit frame and
+  /// 3·10⁻⁷ of their lengths.
+  struct FourBounds {
+    Four lower;
+    Four upper;
+  };
+  [[nodiscard]] FourBounds bounds(const Points<Four>& units, float off) const {
+    const auto at = [&](std::size_t lane) {
+      return squared_bounds({units[0][lane], units[1][lane], units[2][lane]});
+    };
+    const std::array squared{at(0), at(1), at(2), at(3)};
+    const Four lower{squared[0].lower, squared[1].lower, squared[2].lower, squared[3].lower};
+    const Four gap{squared[0].gap, squared[1].gap, squared[2].gap, squared[3].gap};
+    const Four error = off + float_error * (1.0F + square_root(dot(units, units)));
+    const Four least = square_root(larger(lower, Four{})) * below_one - error;
+    const Four most = square_root(larger(lower + gap, Four{})) + error;
+    const auto radius = static_cast<float>(radius_);
+    return {larger(least, Four{}) * (radius * below_one), most * (radius * above_one)};
+  }
   [[nodiscard]] const Element& element() const { return *element_; }
+  [[nodiscard]] const glm::dmat3& unit_from_world() const { return unit_from_world_; }
 
   /// Outweigh the rounding of a few operations.
   static constexpr float below_one = 1.0F - 0x1p-21F;
@@ -61,7 +82,7 @@ class PlacedElement {
 
  private:
   /// What is taken off a distance that was found exactly, and that rounding to float loses.
-  static constexpr float float_error = 2e-6F;
+  static constexpr float float_error = 2.5e-6F;
 
   [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
     const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});

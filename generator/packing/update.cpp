@@ -1,143 +1,19 @@
 #include "packing/update.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include <tbb/parallel_for.h>
 
 #include "geometry/boxes.h"
-#include "packing/rounding.h"
+#include "packing/block_update.h"
 
 namespace collage {
 namespace {
 
 /// A footprint of more blocks than this is worth being shared among threads.
 constexpr std::size_t blocks_on_one_thread = 64;
-
-/// Updates the voxels of one block.
-class BlockUpdate {
- public:
-  BlockUpdate(ClearanceField& field, SurfaceId id, const PlacedElement& placed, float useless)
-      : field_(field),
-        id_(id),
-        placed_(placed),
-        useless_(useless),
-        voxel_side_(static_cast<float>(field.grid().voxel_side)) {}
-
-  /// Returns the number of voxels flagged.
-  std::size_t run(Update::Maximum& result, std::vector<Update::Voxel>& before);
-
- private:
-  void visit(std::size_t slot);
-  void set_distance(std::size_t slot, const dvec3& unit);
-  void record(std::size_t slot) {
-    before_->push_back({index_, slot, block_.upper[slot], block_.nearest[slot]});
-  }
-  void keep(std::size_t slot, SurfaceId nearest, const PlacedElement::Bounds& bounds) {
-    record(slot);
-    block_.upper[slot] = bounds.upper;
-    const float gap_voxels = (bounds.upper - bounds.lower) / voxel_side_ * PlacedElement::above_one;
-    block_.nearest[slot] = {nearest, gap_voxels};
-  }
-
-  ClearanceField& field_;
-  SurfaceId id_;
-  const PlacedElement& placed_;
-  float useless_;
-  float voxel_side_;
-
-  std::size_t index_ = 0;
-  ClearanceField::Block block_{};
-  std::vector<Update::Voxel>* before_ = nullptr;
-  std::size_t flagged_ = 0;
-  bool is_near_ = false;
-};
-
-std::size_t BlockUpdate::run(Update::Maximum& result, std::vector<Update::Voxel>& before) {
-  index_ = result.block;
-  block_ = field_.block(index_);
-  before_ = &before;
-  flagged_ = 0;
-  is_near_ = false;
-  const VoxelGrid& grid = field_.grid();
-  // From the voxels' centres, which are so near to the sample points.
-  const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
-  const auto radius = static_cast<float>(placed_.radius() * (1.0 + 1e-5) + off_center);
-  const float maximum = field_.block_maximum(index_);
-  const float reach = radius + (maximum < useless_ ? 0.0F : maximum);
-  const dvec3 first_center = grid.origin + (dvec3(block_.first_voxel) + 0.5) * grid.voxel_side;
-  const glm::vec3 first(first_center - placed_.center());
-  const auto side = static_cast<float>(grid.voxel_side);
-  std::array<float, VoxelGrid::block_side> squared_x;
-  for (int x = 0; x < VoxelGrid::block_side; ++x) {
-    const float away = first.x + static_cast<float>(x) * side;
-    squared_x[static_cast<std::size_t>(x)] = away * away;
-  }
-  for (int yz = 0; yz < VoxelGrid::block_side * VoxelGrid::block_side; ++yz) {
-    const int layer = yz / VoxelGrid::block_side;
-    const float y = first.y + static_cast<float>(yz % VoxelGrid::block_side) * side;
-    const float z = first.z + static_cast<float>(layer) * side;
-    const float squared_yz = y * y + z * z;
-    if (squared_yz >= reach * reach) {
-      continue;
-    }
-    const std::size_t row = static_cast<std::size_t>(yz) * VoxelGrid::block_side;
-    const auto may_change = [&](std::size_t x) {
-      const float upper = block_.upper[row + x];
-      const float near = radius + (upper < useless_ ? 0.0F : upper);
-      return static_cast<int>(upper >= 0.0F) &
-             static_cast<int>(squared_x[x] + squared_yz < near * near);
-    };
-    int voxels = 0;  // counted by vector instructions
-    for (std::size_t x = 0; x < VoxelGrid::block_side; ++x) {
-      voxels += may_change(x);
-    }
-    for (std::size_t x = 0; voxels > 0; ++x) {
-      if (may_change(x) != 0) {
-        visit(row + x);
-        --voxels;
-      }
-    }
-  }
-  result.upper = field_.scan_block(index_);
-  result.is_near |= is_near_;
-  return flagged_;
-}
-
-void BlockUpdate::visit(std::size_t slot) {
-  const dvec3 point = field_.grid().sample_point(block_.first_voxel + VoxelGrid::local_at(slot));
-  if (placed_.distance_to_sphere(point) >= block_.upper[slot]) {
-    return;
-  }
-  const dvec3 unit = placed_.unit_from_world(point);
-  if (placed_.holds(unit)) {
-    record(slot);
-    block_.upper[slot] = -1.0F;
-    ++flagged_;
-    return;
-  }
-  if (block_.upper[slot] >= useless_) {
-    set_distance(slot, unit);
-  }
-}
-
-void BlockUpdate::set_distance(std::size_t slot, const dvec3& unit) {
-  const float upper = block_.upper[slot];
-  const auto bounds = placed_.bounds(unit, upper);
-
-  if (!bounds) {
-    return;
-  }
-  const float lower = block_.nearest[slot].lower(upper, voxel_side_);
-  if (bounds->upper < std::max(lower, useless_)) {
-    keep(slot, id_, *bounds);
-  } else {
-    keep(slot, several_surfaces, {std::min(lower, bounds->lower), std::min(upper, bounds->upper)});
-  }
-  is_near_ = true;
-}
 
 }  // namespace
 
@@ -175,6 +51,7 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
         const bool has_holes = maximum >= useless;
         const double reach = placed.radius() * (1.0 + 1e-5) + (has_holes ? maximum + margin : 0.0);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
+          field.prefetch(index);
           done.maxima.push_back({index, maximum, has_holes && margin > 0.0});
         }
       }
@@ -238,7 +115,9 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   } else if (nearest.id() == several_surfaces) {
     found.clearance = upper;
     field.for_each_neighbour(peak.block, consider);
-    consider(target_surface);
+    if (field.least_from_target(peak.block) <= found.clearance) {
+      consider(target_surface);
+    }
   } else {
     found.clearance = upper;
     consider(nearest.id());

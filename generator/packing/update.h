@@ -27,8 +27,9 @@ BlockRange footprint(const VoxelGrid& grid, const Hole& hole, double margin = 0.
 struct Update {
   /// A voxel as it was.
   struct Voxel {
-    std::size_t block;
-    std::size_t slot;
+    /// Of the block and in it.
+    std::uint32_t block;
+    std::uint32_t slot;
     float upper;
     NearestSurface nearest;
   };

@@ -28,6 +28,24 @@ TEST(Solid, InsideAgreesWithTheWindingNumberEverywhere) {
   }
 }
 
+TEST(Solid, WhatACellTellsHoldsForPointsThatAreALittleOff) {
+  for (const Mesh& mesh : {test::torus_mesh(1.0, 0.1, 40, 12), test::blob_mesh(1.0, 0.4, 20),
+                           test::open_box_mesh(dvec3(-1), dvec3(1))}) {
+    const Solid solid = solid_of(mesh);
+    Rng rng(6, 0);
+    int told = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const dvec3 point = test::random_point(rng, 0.57);
+      if (const auto inside = solid.inside_by_cell(glm::vec3(point))) {
+        const dvec3 off = test::random_point(rng, Solid::cell_margin / 2);
+        ASSERT_EQ(*inside, solid.inside_by_winding_number(point + off));
+        ++told;
+      }
+    }
+    EXPECT_GT(told, 4000);
+  }
+}
+
 TEST(Solid, VolumeOfAClosedMeshIsExactWhereverItStandsAndHoweverLarge) {
   for (const double size : {1e-5, 1.0, 1e5}) {
     for (const double offset : {0.0, 1e3}) {
