@@ -52,15 +52,6 @@ class ClearanceField {
   [[nodiscard]] std::optional<Peak> peak() const;
 
   [[nodiscard]] Block block(std::size_t index);
-  /// Starts to load the bounds of a block that is soon to be looked at.
-  void prefetch(std::size_t index) const {
-    constexpr std::size_t line = 16;
-    const std::size_t first = index * VoxelGrid::block_voxels;
-    for (std::size_t i = first; i < first + VoxelGrid::block_voxels; i += line) {
-      __builtin_prefetch(&upper_[i], 1);
-      __builtin_prefetch(&nearest_[i], 1);
-    }
-  }
   [[nodiscard]] dvec3 sample_point(const Peak& peak) const;
   [[nodiscard]] float block_maximum(std::size_t index) const { return maxima_[leaves_ + index]; }
   /// To be called for each block after clearances in it have changed. O(log n).

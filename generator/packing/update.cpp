@@ -51,7 +51,6 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
         const bool has_holes = maximum >= useless;
         const double reach = placed.radius() * (1.0 + 1e-5) + (has_holes ? maximum + margin : 0.0);
         if (squared_distance({corner, corner + block_side}, placed.center()) < reach * reach) {
-          field.prefetch(index);
           done.maxima.push_back({index, maximum, has_holes && margin > 0.0});
         }
       }
