@@ -55,7 +55,7 @@ class BoxMap {
 };
 
 /// True only where one triangle lies on one side of the other's plane, farther from it than the
-/// slack: most pairs whose boxes meet. Corners of t may be off by the slack.
+/// slack: most pairs whose boxes meet. The corners of either may be off by the slack.
 bool plane_parts(const Corners& s, const Corners& t, double slack) {
   const dvec3 u = s[1] - s[0];
   const dvec3 v = s[2] - s[0];
@@ -66,16 +66,24 @@ bool plane_parts(const Corners& s, const Corners& t, double slack) {
   const double farthest =
       std::sqrt(std::max({glm::dot(t[0] - s[0], t[0] - s[0]), glm::dot(t[1] - s[0], t[1] - s[0]),
                           glm::dot(t[2] - s[0], t[2] - s[0])}));
-  // Whichever of the two triangles is off: the normal by 2 slack · lengths, the corners by 2 slack.
+  // The normal may be off by 2 slack · lengths, a corner from another by 2 slack.
   const double margin = 4.0 * (slack + 1e-13 * farthest) * lengths * (lengths + farthest);
   return std::min({heights.x, heights.y, heights.z}) > margin ||
          std::max({heights.x, heights.y, heights.z}) < -margin;
 }
 
-Corners world_corners(const Mesh& mesh, const Instance& instance, std::uint32_t triangle) {
-  return {instance.world_from_element(mesh.corner(triangle, 0)),
-          instance.world_from_element(mesh.corner(triangle, 1)),
-          instance.world_from_element(mesh.corner(triangle, 2))};
+Corners corners_of(const Mesh& mesh, std::uint32_t triangle) {
+  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+
+/// Each corner where `map` has it.
+template <class Map>
+Corners mapped(const Corners& corners, const Map& map) {
+  return {map(corners[0]), map(corners[1]), map(corners[2])};
+}
+
+Corners in_world(const Corners& corners, const Instance& instance) {
+  return mapped(corners, [&](const dvec3& p) { return instance.world_from_element(p); });
 }
 
 }  // namespace
@@ -105,15 +113,14 @@ bool surfaces_come_within(double gap, const CollisionShape& a, const Instance& i
       continue;
     }
     if (na.is_leaf() && nb.is_leaf()) {
-      const Corners own{a.mesh().corner(na.item, 0), a.mesh().corner(na.item, 1),
-                        a.mesh().corner(na.item, 2)};
-      const Corners other{in_a(b.mesh().corner(nb.item, 0)), in_a(b.mesh().corner(nb.item, 1)),
-                          in_a(b.mesh().corner(nb.item, 2))};
-      if (plane_parts(own, other, in_a.slack()) || plane_parts(other, own, in_a.slack())) {
+      const Corners of_a = corners_of(a.mesh(), na.item);
+      const Corners of_b = corners_of(b.mesh(), nb.item);
+      const Corners b_in_a = mapped(of_b, in_a);
+      if (plane_parts(of_a, b_in_a, in_a.slack()) || plane_parts(b_in_a, of_a, in_a.slack())) {
         continue;
       }
-      const Corners s = world_corners(a.mesh(), instance_a, na.item);
-      const Corners t = world_corners(b.mesh(), instance_b, nb.item);
+      const Corners s = in_world(of_a, instance_a);
+      const Corners t = in_world(of_b, instance_b);
       if (gap > 0.0 ? triangle_distance(s, t) <= gap : triangles_intersect(s, t)) {
         return true;
       }

@@ -113,8 +113,8 @@ double ShapePacker::apart(double clearance) const {
   return std::min(std::max(0.5 * clearance, 1.5 * voxel), 0.035 * longest_side_);
 }
 
-/// Above 1, the threshold of the core is kept away from the surface, where the outline is drawn.
 double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
+  // Above 1, it keeps the core's threshold away from the surface, where the outline is drawn.
   constexpr double exponent = 1.5;
   if (options_.threshold_core <= 0.0) {
     return kind.least_radius;

@@ -18,6 +18,8 @@ BlockUpdate::BlockUpdate(ClearanceField& field, SurfaceId id, const PlacedElemen
     unit_sides_[static_cast<std::size_t>(axis)] =
         all_four(glm::vec3(placed.unit_from_world()[axis] * grid.voxel_side));
   }
+  const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
+  radius_ = static_cast<float>(placed.radius() * (1.0 + 1e-5) + off_center);
   // A hundred roundings to float of a voxel's side, and some to double of the place in the world.
   const dvec3 place = glm::abs(placed.center()) + glm::abs(grid.origin);
   off_ = static_cast<float>(
@@ -47,10 +49,6 @@ std::size_t BlockUpdate::run(Update::Maximum& result, std::vector<Update::Voxel>
 /// The voxels that may change, and after them three more to fill the last four; returns how many
 /// may change.
 std::size_t BlockUpdate::slots_in_reach(Slots& slots) const {
-  const VoxelGrid& grid = field_.grid();
-  // From the voxels' centres, which are so near to the sample points.
-  const double off_center = (0.5 * std::sqrt(3.0) * grid.jitter + 1e-4) * grid.voxel_side;
-  const auto radius = static_cast<float>(placed_.radius() * (1.0 + 1e-5) + off_center);
   const glm::vec3 first(first_);
   const Four x = first.x + Four{0.0F, 1.0F, 2.0F, 3.0F} * voxel_side_;
   const Four squared_x = x * x;
@@ -59,7 +57,7 @@ std::size_t BlockUpdate::slots_in_reach(Slots& slots) const {
     const glm::vec3 yz = first + glm::vec3(VoxelGrid::local_at(slot)) * voxel_side_;
     Four upper;
     std::memcpy(&upper, block_.upper + slot, sizeof upper);
-    const Four near = radius + (upper < useless_ ? Four{} : upper);
+    const Four near = radius_ + (upper < useless_ ? Four{} : upper);
     const FourIntegers in_reach =
         (upper >= 0.0F) & (squared_x + (yz.y * yz.y + yz.z * yz.z) < near * near);
     for (std::uint32_t lane = 0; lane < four_lanes; ++lane) {
@@ -110,7 +108,7 @@ bool BlockUpdate::holds(std::uint32_t slot, const Points<Four>& units, std::size
 
 void BlockUpdate::visit(const std::uint32_t* slots, std::size_t count) {
   const Points<Four> units = unit_points(slots);
-  const PlacedElement::FourBounds bounds = placed_.bounds(units, off_);
+  const PlacedElement::Bounds bounds = placed_.bounds(units, off_);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const std::uint32_t slot = slots[lane];
     if (holds(slot, units, lane)) {
@@ -118,18 +116,18 @@ void BlockUpdate::visit(const std::uint32_t* slots, std::size_t count) {
       block_.upper[slot] = -1.0F;
       ++flagged_;
     } else if (block_.upper[slot] >= useless_ && bounds.lower[lane] < block_.upper[slot]) {
-      set_distance(slot, {bounds.lower[lane], bounds.upper[lane]});
+      set_distance(slot, bounds.lower[lane], bounds.upper[lane]);
     }
   }
 }
 
-void BlockUpdate::set_distance(std::uint32_t slot, const PlacedElement::Bounds& bounds) {
-  const float upper = block_.upper[slot];
-  const float lower = block_.nearest[slot].lower(upper, voxel_side_);
-  if (bounds.upper < std::max(lower, useless_)) {
-    keep(slot, id_, bounds);
+void BlockUpdate::set_distance(std::uint32_t slot, float lower, float upper) {
+  const float upper_before = block_.upper[slot];
+  const float lower_before = block_.nearest[slot].lower(upper_before, voxel_side_);
+  if (upper < std::max(lower_before, useless_)) {
+    keep(slot, id_, lower, upper);
   } else {
-    keep(slot, several_surfaces, {std::min(lower, bounds.lower), std::min(upper, bounds.upper)});
+    keep(slot, several_surfaces, std::min(lower_before, lower), std::min(upper_before, upper));
   }
   is_near_ = true;
 }

@@ -26,15 +26,15 @@ class BlockUpdate {
   [[nodiscard]] Points<Four> unit_points(const std::uint32_t* slots) const;
   [[nodiscard]] bool holds(std::uint32_t slot, const Points<Four>& units, std::size_t lane) const;
   void visit(const std::uint32_t* slots, std::size_t count);
-  void set_distance(std::uint32_t slot, const PlacedElement::Bounds& bounds);
+  void set_distance(std::uint32_t slot, float lower, float upper);
   void record(std::uint32_t slot) {
     before_[changed_++] = {static_cast<std::uint32_t>(index_), slot, block_.upper[slot],
                            block_.nearest[slot]};
   }
-  void keep(std::uint32_t slot, SurfaceId nearest, const PlacedElement::Bounds& bounds) {
+  void keep(std::uint32_t slot, SurfaceId nearest, float lower, float upper) {
     record(slot);
-    block_.upper[slot] = bounds.upper;
-    const float gap_voxels = (bounds.upper - bounds.lower) / voxel_side_ * PlacedElement::above_one;
+    block_.upper[slot] = upper;
+    const float gap_voxels = (upper - lower) / voxel_side_ * PlacedElement::above_one;
     block_.nearest[slot] = {nearest, gap_voxels};
   }
 
@@ -43,6 +43,8 @@ class BlockUpdate {
   const PlacedElement& placed_;
   float useless_;
   float voxel_side_;
+  /// Of the bounding sphere, and as much more as a voxel's centre is off its sample point.
+  float radius_;
   /// How far a point of unit_points() may be off, other than by a share of its length.
   float off_;
   /// A voxel's sides in the unit frame.

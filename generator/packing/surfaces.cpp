@@ -47,11 +47,10 @@ void Surfaces::consider(SurfaceId id, const dvec3& point, Nearest& nearest) cons
     const PlacedElement neighbour = placed(id);
     const dvec3 unit = neighbour.unit_from_world(point);
     const double limit = beyond(nearest.clearance);
-    if (neighbour.bounds(unit, static_cast<float>(limit))) {
-      clearance = neighbour.distance(unit, limit);
-    } else {
+    if (!neighbour.may_be_within(unit, static_cast<float>(limit))) {
       return;
     }
+    clearance = neighbour.distance(unit, limit);
   }
   if (clearance < nearest.clearance || (clearance == nearest.clearance && id < nearest.id)) {
     nearest = {id, clearance};

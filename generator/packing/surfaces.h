@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "geometry/four.h"
@@ -28,39 +27,23 @@ class PlacedElement {
   [[nodiscard]] bool holds(const dvec3& unit) const {
     return glm::dot(unit, unit) <= 1.0 && element_->solid().inside(unit);
   }
-  /// Distance to the bounding sphere, negative within: never above distance(), whatever that was
-  /// rounded by.
-  [[nodiscard]] double distance_to_sphere(const dvec3& point) const {
-    return (glm::distance(point, center_) - radius_) * (1.0 - 2e-6) - 4e-6 * radius_;
-  }
   /// Exact distance in world units, rounded down to float; infinite where that is not below
   /// `limit`. `unit` is outside. The result is the same for every limit that it is below.
   [[nodiscard]] float distance(const dvec3& unit, double limit) const;
-  /// Around distance(), in world units; nothing where that is not below `limit`.
-  struct Bounds {
-    float lower;
-    float upper;
-  };
-  [[nodiscard]] std::optional<Bounds> bounds(const dvec3& unit, float limit) const {
+  /// False only where distance() is not below `limit`.
+  [[nodiscard]] bool may_be_within(const dvec3& unit, float limit) const {
     const glm::vec3 query(unit);
     const float error = float_error * (1.0F + glm::length(query));
-    const DistanceBounds::Squared squared = squared_bounds(query);
-    const auto radius = static_cast<float>(radius_);
-    const float unit_limit = limit / radius * above_one + error;
-    if (squared.lower >= unit_limit * unit_limit * above_one) {
-      return std::nullopt;
-    }
-    const float lower = std::sqrt(std::max(0.0F, squared.lower)) * below_one - error;
-    const float upper = std::sqrt(std::max(0.0F, squared.lower + squared.gap)) + error;
-    return Bounds{std::max(0.0F, lower) * radius * below_one, upper * radius * above_one};
+    const float unit_limit = limit / static_cast<float>(radius_) * above_one + error;
+    return squared_bounds(query).lower < unit_limit * unit_limit * above_one;
   }
-  /// The same without a limit for four points, which may be off by `off` in the unit frame and
-  /// 3·10⁻⁷ of their lengths.
-  struct FourBounds {
+  /// Around distance(), in world units, for four points, which may be off by `off` in the unit
+  /// frame and 3·10⁻⁷ of their lengths.
+  struct Bounds {
     Four lower;
     Four upper;
   };
-  [[nodiscard]] FourBounds bounds(const Points<Four>& units, float off) const {
+  [[nodiscard]] Bounds bounds(const Points<Four>& units, float off) const {
     const auto at = [&](std::size_t lane) {
       return squared_bounds({units[0][lane], units[1][lane], units[2][lane]});
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "geometry/boxes.h"
@@ -65,11 +66,13 @@ void update(ClearanceField& field, const Surfaces& surfaces, SurfaceId id, const
   }
   const std::size_t blocks = done.maxima.size();
   done.shares.resize(std::max(done.shares.size(), blocks));
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks), [&](const auto& some) {
     BlockUpdate mine = work;
-    Update::Share& share = done.shares[b];
-    share.before.clear();
-    share.voxels_flagged = mine.run(done.maxima[b], share.before);
+    for (std::size_t b = some.begin(); b < some.end(); ++b) {
+      Update::Share& share = done.shares[b];
+      share.before.clear();
+      share.voxels_flagged = mine.run(done.maxima[b], share.before);
+    }
   });
   for (std::size_t b = 0; b < blocks; ++b) {
     const Update::Share& share = done.shares[b];

@@ -34,9 +34,8 @@ float world_distance(const PlacedElement& placed, const dvec3& unit, double limi
 }
 
 std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& block,
-                         const glm::ivec3& from, const glm::ivec3& to, const Hole& hole,
+                         const glm::ivec3& from, const glm::ivec3& to, const Sphere& reach,
                          const PlacedElement& placed, SurfaceId id, const ExactDistance& distance) {
-  const double reach = 2.0 * hole.clearance * (1.0 + 1e-6);
   const glm::ivec3 first = glm::max(from - block.first_voxel, glm::ivec3(0));
   const glm::ivec3 last = glm::min(to - block.first_voxel, glm::ivec3(VoxelGrid::block_side));
   std::size_t flagged = 0;
@@ -47,7 +46,7 @@ std::size_t update_block(const VoxelGrid& grid, const ClearanceField::Block& blo
         const std::size_t slot = VoxelGrid::slot(local);
         float& clearance = block.upper[slot];
         const dvec3 point = grid.sample_point(block.first_voxel + local);
-        if (clearance < 0.0F || glm::distance(point, hole.center) > reach) {
+        if (clearance < 0.0F || glm::distance(point, reach.center) > reach.radius) {
           continue;
         }
         const dvec3 unit = placed.unit_from_world(point);
@@ -78,7 +77,8 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
                          const Hole& hole, const ExactDistance& distance) {
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(id);
-  const auto [from, to] = voxels_within(grid, hole.center, 2.0 * hole.clearance);
+  const Sphere reach{hole.center, 2.0 * hole.clearance * (1.0 + 1e-6)};
+  const auto [from, to] = voxels_within(grid, reach.center, reach.radius);
   const glm::ivec3 first = from / VoxelGrid::block_side;
   const glm::ivec3 span = (to + (VoxelGrid::block_side - 1)) / VoxelGrid::block_side - first;
   std::vector<std::size_t> blocks;
@@ -95,7 +95,7 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
   std::vector<std::size_t> flagged(blocks.size());
   std::vector<float> maxima(blocks.size());
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    flagged[b] = update_block(grid, field.block(blocks[b]), from, to, hole, placed, id, distance);
+    flagged[b] = update_block(grid, field.block(blocks[b]), from, to, reach, placed, id, distance);
     maxima[b] = field.scan_block(blocks[b]);
   });
   std::size_t total = 0;
