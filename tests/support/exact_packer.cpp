@@ -78,7 +78,9 @@ std::size_t exact_update(ClearanceField& field, const Surfaces& surfaces, Surfac
   const VoxelGrid& grid = field.grid();
   const PlacedElement placed = surfaces.placed(id);
   const Sphere reach{hole.center, 2.0 * hole.clearance * (1.0 + 1e-6)};
-  const auto [from, to] = voxels_within(grid, reach.center, reach.radius);
+  const auto voxels = voxels_within(grid, reach.center, reach.radius);
+  const auto& from = voxels.first;  // Clang 14 captures no structured bindings
+  const auto& to = voxels.second;
   const glm::ivec3 first = from / VoxelGrid::block_side;
   const glm::ivec3 span = (to + (VoxelGrid::block_side - 1)) / VoxelGrid::block_side - first;
   std::vector<std::size_t> blocks;
