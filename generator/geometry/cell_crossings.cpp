@@ -38,6 +38,20 @@ std::optional<int> crossing(const std::array<dvec3, 3>& t, const dvec3& from, co
   return sure ? std::optional<int>(side_from > 0.0 ? -1 : 1) : std::nullopt;
 }
 
+/// A plane as a unit normal and the height of the origin; zeros for a triangle too thin to tell.
+glm::vec4 plane_below(const std::array<dvec3, 3>& t, const dvec3& above) {
+  constexpr double thinnest = 1e-6;
+  const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(normal);
+  const double longest =
+      std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
+  if (length <= thinnest * longest * longest) {
+    return glm::vec4(0.0F);
+  }
+  const dvec3 unit = glm::dot(normal, above - t[0]) < 0.0 ? -normal / length : normal / length;
+  return {unit, -glm::dot(unit, t[0])};
+}
+
 }  // namespace
 
 CellCrossings::CellCrossings(const Mesh& mesh, const WindingNumber& winding_number,
@@ -97,9 +111,12 @@ void CellCrossings::list_triangles(const Mesh& mesh) {
   }
   items_.resize(starts_.back());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  planes_.resize(items_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    visit_cells(triangles_[t],
-                [&](std::size_t cell) { items_[next[cell]++] = static_cast<std::uint32_t>(t); });
+    visit_cells(triangles_[t], [&](std::size_t cell) {
+      planes_[next[cell]] = plane_below(triangles_[t], middle(cell));
+      items_[next[cell]++] = static_cast<std::uint32_t>(t);
+    });
   }
 }
 
@@ -109,23 +126,25 @@ void CellCrossings::walk_row(std::size_t first, const WindingNumber& winding_num
   std::optional<int> winding = 0;
   for (std::size_t cell = first; cell < first + static_cast<std::size_t>(cells_per_side_); ++cell) {
     const dvec3 here = middle(cell);
-    const std::optional<int> into = change(cell, here - half_step, here);
-    if (winding && into) {
-      winding = *winding + *into;
+    const std::optional<int> out = change(cell, here - half_step);
+    if (winding && out) {
+      winding = *winding - *out;
     } else {
       winding = static_cast<int>(std::lround(winding_number.at(here)));
     }
     windings_[cell] = static_cast<std::int16_t>(*winding);
-    const std::optional<int> out = change(cell, here, here + half_step);
-    winding = out ? std::optional<int>(*winding + *out) : std::nullopt;
+    const std::optional<int> onward = change(cell, here + half_step);
+    winding = onward ? std::optional<int>(*winding + *onward) : std::nullopt;
   }
 }
 
-std::optional<int> CellCrossings::change(std::size_t cell, const dvec3& from,
-                                         const dvec3& to) const {
+std::optional<int> CellCrossings::change(std::size_t cell, const dvec3& point) const {
   int sum = 0;
   for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
-    const std::optional<int> crossed = crossing(triangles_[items_[i]], from, to);
+    if (is_beside_middle(planes_[i], glm::vec3(point))) {
+      continue;
+    }
+    const std::optional<int> crossed = crossing(triangles_[items_[i]], middle(cell), point);
     if (!crossed) {
       return std::nullopt;
     }
@@ -135,7 +154,7 @@ std::optional<int> CellCrossings::change(std::size_t cell, const dvec3& from,
 }
 
 std::optional<int> CellCrossings::winding_at(std::size_t cell, const dvec3& point) const {
-  const std::optional<int> changed = change(cell, middle(cell), point);
+  const std::optional<int> changed = change(cell, point);
   return changed ? std::optional<int>(windings_[cell] + *changed) : std::nullopt;
 }
 

@@ -219,7 +219,7 @@ dvec3 closest_point_on_triangle(const dvec3& p, const dvec3& a, const dvec3& b, 
 class ClosestPointIndex::Hierarchy {
  public:
   Hierarchy(const Mesh& mesh, Surface surface);
-  void search(const dvec3& query, ClosestPoint& best) const;
+  void search(const dvec3& query, double near_enough, ClosestPoint& best) const;
   /// True where the triangle is nearer than the best, or as near and comes before it.
   bool visit(std::uint32_t triangle, const dvec3& query, ClosestPoint& best) const;
 
@@ -278,14 +278,15 @@ bool ClosestPointIndex::Hierarchy::visit(std::uint32_t triangle, const dvec3& qu
   return true;
 }
 
-void ClosestPointIndex::Hierarchy::search(const dvec3& query, ClosestPoint& best) const {
+void ClosestPointIndex::Hierarchy::search(const dvec3& query, double near_enough,
+                                          ClosestPoint& best) const {
   const Points<Four> point = all_four(glm::vec3(query));
   const double margin = error(query);
   float reach = squared_reach(best.distance + margin);
   std::array<Waiting, four_tree_waiting> waiting;
   waiting[0] = {0.0F, root_};
   std::size_t count = 1;
-  while (count > 0) {
+  while (count > 0 && best.distance >= near_enough) {
     const Waiting next = waiting[--count];
     if (next.squared_distance > reach) {
       continue;
@@ -327,12 +328,13 @@ ClosestPointIndex::ClosestPointIndex(ClosestPointIndex&&) noexcept = default;
 ClosestPointIndex& ClosestPointIndex::operator=(ClosestPointIndex&&) noexcept = default;
 
 std::optional<ClosestPoint> ClosestPointIndex::find(const dvec3& query, double max_distance,
-                                                    std::optional<std::uint32_t> hint) const {
+                                                    std::optional<std::uint32_t> hint,
+                                                    double near_enough) const {
   ClosestPoint best{{}, max_distance, 0};
   if (hint) {
     hierarchy_->visit(*hint, query, best);
   }
-  hierarchy_->search(query, best);
+  hierarchy_->search(query, std::min(near_enough, max_distance), best);
   return best.distance < max_distance ? std::optional(best) : std::nullopt;
 }
 

@@ -35,10 +35,11 @@ class ClosestPointIndex {
   ClosestPointIndex& operator=(ClosestPointIndex&&) noexcept;
 
   /// Nothing where no point is nearer than `max_distance`. A triangle that is likely to be near,
-  /// such as that of a neighbour, as `hint` makes it faster; the distance stays the same.
-  [[nodiscard]] std::optional<ClosestPoint> find(
-      const dvec3& query, double max_distance,
-      std::optional<std::uint32_t> hint = std::nullopt) const;
+  /// such as that of a neighbour, as `hint` makes it faster; the distance stays the same. Where
+  /// there are points nearer than `near_enough`, it is any of these that is found.
+  [[nodiscard]] std::optional<ClosestPoint> find(const dvec3& query, double max_distance,
+                                                 std::optional<std::uint32_t> hint = std::nullopt,
+                                                 double near_enough = 0.0) const;
 
   /// How much too far away the hierarchy can take a triangle to be. A plane's height in float is
   /// off by at most 2⁻²⁴ (6 |query| + 3), of three at right angles by √3 times that, which is

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "geometry/closest_point.h"
+#include "geometry/four.h"
 
 namespace collage {
 
@@ -25,9 +27,10 @@ namespace collage {
 class DistanceBounds {
  public:
   /// Bounds on the square of a distance: it is in [lower, lower + gap]; `lower` may be below 0.
+  template <class Numbers>
   struct Squared {
-    float lower;
-    float gap;
+    Numbers lower;
+    Numbers gap;
   };
   /// Fine: about 32 cells across the ball; coarse, where it covers few voxels: 16, and faster, as
   /// it stays in the nearest cache.
@@ -40,7 +43,7 @@ class DistanceBounds {
   explicit DistanceBounds(const ClosestPointIndex& index, Detail finest = Detail::fine);
 
   /// The bounds hold for `query` in float arithmetic.
-  [[nodiscard]] Squared squared(const glm::vec3& query, Detail detail) const {
+  [[nodiscard]] Squared<float> squared(const glm::vec3& query, Detail detail) const {
     const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
     const std::vector<Grid>& grids = detail == Detail::fine ? fine_ : coarse_;
     std::size_t level = 0;
@@ -48,6 +51,17 @@ class DistanceBounds {
       ++level;
     }
     return grids[level].squared(query);
+  }
+  /// The same of four at once.
+  [[nodiscard]] Squared<Four> squared(const Points<Four>& queries, Detail detail) const {
+    const Four farthest =
+        larger(larger(absolute(queries[0]), absolute(queries[1])), absolute(queries[2]));
+    constexpr std::int32_t exponent_of_half = 126;
+    const FourIntegers beyond = (std::bit_cast<FourIntegers>(farthest) >> 23) - exponent_of_half;
+    const FourIntegers level = beyond > 0 ? beyond : FourIntegers{};
+    const Grid* grids = (detail == Detail::fine ? fine_ : coarse_).data();
+    return Grid::squared({grids + level[0], grids + level[1], grids + level[2], grids + level[3]},
+                         queries);
   }
   /// A triangle that is likely to be among the nearest, to begin an exact search with.
   [[nodiscard]] std::uint32_t hint(const dvec3& query) const;
@@ -64,7 +78,7 @@ class DistanceBounds {
     Grid(float half_width, int cells, const std::vector<Node>& nodes, int stride);
     /// The triangle of a node near the query, or near that end of the grid.
     [[nodiscard]] std::uint32_t hint(const dvec3& query) const;
-    [[nodiscard]] Squared squared(const glm::vec3& query) const {
+    [[nodiscard]] Squared<float> squared(const glm::vec3& query) const {
       const glm::vec3 at = (query + half_side) * cells_per_unit_;
       const glm::ivec3 cell(at);
       const glm::vec3 t = at - glm::vec3(cell);
@@ -80,6 +94,48 @@ class DistanceBounds {
       const float concave = first + (along_y(node + row * row) - first) * t.z;
       return {concave + glm::dot(query, query),
               std::bit_cast<float>(std::uint32_t{gap_.data()[gap_index]} << 16)};
+    }
+    /// Of each query by a grid of its own.
+    static Squared<Four> squared(const std::array<const Grid*, four_lanes>& grids,
+                                 const Points<Four>& queries) {
+      const Four half_side{grids[0]->half_side, grids[1]->half_side, grids[2]->half_side,
+                           grids[3]->half_side};
+      const Four cells_per_unit{grids[0]->cells_per_unit_, grids[1]->cells_per_unit_,
+                                grids[2]->cells_per_unit_, grids[3]->cells_per_unit_};
+      std::array<FourIntegers, 3> cell;
+      Points<Four> t;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Four at = (queries[axis] + half_side) * cells_per_unit;
+        cell[axis] = __builtin_convertvector(at, FourIntegers);
+        t[axis] = at - __builtin_convertvector(cell[axis], Four);
+      }
+      std::array<const float*, four_lanes> nodes;
+      std::array<std::ptrdiff_t, four_lanes> rows;
+      FourIntegers gaps;
+      for (std::size_t lane = 0; lane < four_lanes; ++lane) {
+        const Grid& grid = *grids[lane];
+        const std::ptrdiff_t cells = grid.cells_;
+        const std::ptrdiff_t row = cells + 1;
+        rows[lane] = row;
+        nodes[lane] =
+            grid.concave_.data() + (cell[2][lane] * row + cell[1][lane]) * row + cell[0][lane];
+        const auto gap = (cell[2][lane] * cells + cell[1][lane]) * cells + cell[0][lane];
+        gaps[lane] = grid.gap_.data()[gap] << 16;
+      }
+      const auto along_x = [&](std::ptrdiff_t y, std::ptrdiff_t z) {
+        const auto pair = [&](std::size_t lane) {
+          return pair_at(nodes[lane] + (z * rows[lane] + y) * rows[lane]);
+        };
+        const auto [from, to] = transposed(pair(0), pair(1), pair(2), pair(3));
+        return from + (to - from) * t[0];
+      };
+      const auto along_y = [&](std::ptrdiff_t z) {
+        const Four from = along_x(0, z);
+        return from + (along_x(1, z) - from) * t[1];
+      };
+      const Four from = along_y(0);
+      const Four concave = from + (along_y(1) - from) * t[2];
+      return {concave + dot(queries, queries), std::bit_cast<Four>(gaps)};
     }
 
     float half_side;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include <glm/glm.hpp>
@@ -14,6 +16,7 @@ namespace collage {
 /// results of each are those of a scalar.
 using Four = float __attribute__((vector_size(16)));
 using FourIntegers = std::int32_t __attribute__((vector_size(16)));
+using FloatPair = float __attribute__((vector_size(8)));
 using Two = double __attribute__((vector_size(16)));
 inline constexpr std::size_t four_lanes = 4;
 /// Points: their x, y and z.
@@ -27,6 +30,9 @@ inline Points<Four> all_four(const glm::vec3& point) {
 inline Points<Two> both(const glm::dvec3& point) {
   return {Two{point.x, point.x}, Two{point.y, point.y}, Two{point.z, point.z}};
 }
+inline Four absolute(Four x) {
+  return std::bit_cast<Four>(std::bit_cast<FourIntegers>(x) & 0x7fffffff);
+}
 inline Four larger(Four a, Four b) { return a > b ? a : b; }
 inline Four square_root(Four x) {
   return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
@@ -37,6 +43,18 @@ inline std::size_t least_lane(Four x) {
   const std::size_t low = x[1] < x[0] ? 1 : 0;
   const std::size_t high = x[3] < x[2] ? 3 : 2;
   return x[high] < x[low] ? high : low;
+}
+
+inline FloatPair pair_at(const float* first) {
+  FloatPair pair;
+  std::memcpy(&pair, first, sizeof pair);
+  return pair;
+}
+/// The pairs' first numbers, and their second ones.
+inline std::array<Four, 2> transposed(FloatPair a, FloatPair b, FloatPair c, FloatPair d) {
+  const Four ab = __builtin_shufflevector(a, b, 0, 1, 2, 3);
+  const Four cd = __builtin_shufflevector(c, d, 0, 1, 2, 3);
+  return {__builtin_shufflevector(ab, cd, 0, 2, 4, 6), __builtin_shufflevector(ab, cd, 1, 3, 5, 7)};
 }
 
 template <class Numbers>

@@ -35,12 +35,19 @@ class Solid {
   [[nodiscard]] const ClosestPointIndex& surface() const { return surface_; }
   [[nodiscard]] bool inside(const dvec3& unit_point) const;
   /// What inside() is of all points less than `cell_margin` from one within the unit ball; nothing
-  /// where the surface may be that near to its cell.
+  /// where the surface may be near.
   [[nodiscard]] std::optional<bool> inside_by_cell(const glm::vec3& unit_point) const {
     const glm::ivec3 cell((unit_point + 1.0F) * (0.5F * cells_per_side));
     const glm::ivec3 nearest = glm::min(cell, cells_per_side - 1);
-    const Cell state = cells_.at(cell_index(nearest.x, nearest.y, nearest.z));
-    return state == Cell::mixed ? std::nullopt : std::optional(state == Cell::inside);
+    const std::size_t index = cell_index(nearest.x, nearest.y, nearest.z);
+    const Cell state = cells_.at(index);
+    if (state != Cell::mixed) {
+      return state == Cell::inside;
+    }
+    if (crossings_ && crossings_->is_beside_middle(index, unit_point)) {
+      return crossings_->winding_at_middle(index) > 0;
+    }
+    return std::nullopt;
   }
   static constexpr double cell_margin = 0.9 * CellCrossings::margin;
   /// By the winding number alone: the slow twin of inside().

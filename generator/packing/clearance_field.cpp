@@ -24,7 +24,7 @@ ClearanceField::ClearanceField(const Target& target, const VoxelGrid& grid, Stat
   leaves_ = std::bit_ceil(std::max(blocks, VoxelGrid::group_blocks));
   maxima_.assign(2 * leaves_, -1.0F);
   least_from_target_.assign(blocks, std::numeric_limits<float>::infinity());
-  last_neighbour_.assign(blocks, 0);
+  last_neighbours_.assign(blocks, 0);
 
   const glm::ivec3 n = grid_.groups();
   const std::size_t layer = static_cast<std::size_t>(n.x) * n.y;
@@ -106,8 +106,12 @@ void ClearanceField::set_block_maximum(std::size_t index, float maximum) {
 }
 
 void ClearanceField::add_neighbour(std::size_t block, SurfaceId id) {
-  neighbours_.push_back({id, last_neighbour_[block]});
-  last_neighbour_[block] = static_cast<std::uint32_t>(neighbours_.size() - 1);
+  std::uint32_t& last = last_neighbours_[block];
+  if (last == 0 || neighbours_[last].ids.back() != target_surface) {
+    neighbours_.push_back({{}, last});
+    last = static_cast<std::uint32_t>(neighbours_.size() - 1);
+  }
+  *std::ranges::find(neighbours_[last].ids, target_surface) = id;
 }
 
 void ClearanceField::close(const Peak& peak) {

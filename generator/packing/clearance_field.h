@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -65,8 +66,13 @@ class ClearanceField {
   /// Calls `visit(id)` for each such instance.
   template <class Visit>
   void for_each_neighbour(std::size_t block, const Visit& visit) const {
-    for (std::uint32_t n = last_neighbour_[block]; n != 0; n = neighbours_[n].previous) {
-      visit(neighbours_[n].id);
+    for (std::uint32_t list = last_neighbours_[block]; list != 0; list = neighbours_[list].before) {
+      for (const SurfaceId id : neighbours_[list].ids) {
+        if (id == target_surface) {
+          break;
+        }
+        visit(id);
+      }
     }
   }
   /// Gives up a hole: its voxel has no clearance from now on.
@@ -87,13 +93,15 @@ class ClearanceField {
   std::vector<float> least_from_target_;
   std::size_t voxels_inside_ = 0;
 
-  struct Neighbour {
-    SurfaceId id;
-    /// Index of the same block's neighbour before; 0: none.
-    std::uint32_t previous;
+  /// Some of a block's; as large as what the processor fetches at a time.
+  struct Neighbours {
+    /// Filled from the front; the rest is `target_surface`.
+    std::array<SurfaceId, 15> ids{};
+    /// Index of those that came before; 0: none.
+    std::uint32_t before = 0;
   };
-  std::vector<Neighbour> neighbours_{1};
-  std::vector<std::uint32_t> last_neighbour_;
+  std::vector<Neighbours> neighbours_{1};
+  std::vector<std::uint32_t> last_neighbours_;
 };
 
 }  // namespace collage

@@ -95,7 +95,7 @@ Packing Packer::run(Status& status) {
     more = accept(packing);
     packing.update_seconds += updating.seconds();
     report(status);
-    if (more && !surfaces_.instances.empty() && status.finish_requested()) {
+    if (more && !surfaces_.instances().empty() && status.finish_requested()) {
       packing.complete = false;
       break;
     }
@@ -104,7 +104,7 @@ Packing Packer::run(Status& status) {
     }
   }
   packing.largest_hole = largest_clearance();
-  packing.instances = std::move(surfaces_.instances);
+  packing.instances = surfaces_.take_instances();
   packing.voxels = field_.grid().size;
   packing.voxels_inside_target = field_.voxels_inside();
   packing.place_seconds = total.seconds() - packing.update_seconds;
@@ -121,7 +121,11 @@ bool Packer::find_largest_hole(Filling& filling) {
       filling.hole = {field_.sample_point(*peak), peak->upper, nearest.id()};
       return room(filling.hole) >= threshold();
     }
-    make_largest_exact();
+    if (is_serial()) {
+      field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak, least));
+    } else {
+      make_largest_exact();
+    }
   }
   return false;
 }
@@ -130,9 +134,8 @@ bool Packer::find_largest_hole(Filling& filling) {
 /// before their turn comes, which costs time but changes nothing.
 void Packer::make_largest_exact() {
   const float least = placer_.least_clearance();
-  const std::size_t most = is_serial() ? 1 : peaks_.size();
   std::size_t count = 0;
-  for (; count < most; ++count) {
+  for (; count < peaks_.size(); ++count) {
     const auto peak = field_.peak();
     if (!peak || peak->upper < least) {
       break;
@@ -197,12 +200,12 @@ void Packer::climb(Filling& filling) {
 }
 
 void Packer::fill_holes() {
-  const std::size_t first = surfaces_.instances.size();
+  const std::size_t first = surfaces_.instances().size();
   if (first + count_ > most_surfaces) {
     throw Error(fmt::format("more than {} instances", grouped(most_surfaces)),
                 "raise packing.threshold");
   }
-  surfaces_.instances.resize(first + count_);
+  surfaces_.resize(first + count_);
   tbb::parallel_for(std::size_t{0}, count_, [&](std::size_t i) {
     Filling& filling = fillings_[i];
     if (climb_reach_ > 0.0) {
@@ -210,7 +213,7 @@ void Packer::fill_holes() {
     }
     filling.instance = placer_.place(filling.hole, first + i, surfaces_);
     if (filling.instance) {
-      surfaces_.instances[first + i] = *filling.instance;
+      surfaces_.set(first + i, *filling.instance);
       update(field_, surfaces_, static_cast<SurfaceId>(first + i + 1), filling.hole,
              placer_.least_clearance(), 2.0 * climb_reach_, filling.update);
     }
@@ -232,7 +235,7 @@ void Packer::close_if_unchanged(const ClearanceField::Peak& peak) {
 /// Commits the fillings that were in turn, and undoes the others. False where no element is small
 /// enough for the largest hole.
 bool Packer::accept(Packing& packing) {
-  const std::size_t first = surfaces_.instances.size() - count_;
+  const std::size_t first = surfaces_.instances().size() - count_;
   float largest_left = -1.0F;
   std::size_t accepted = 0;
   bool fits = true;
@@ -262,13 +265,13 @@ bool Packer::accept(Packing& packing) {
       undo(field_, fillings_[i].update);
     }
   }
-  surfaces_.instances.resize(first + accepted);
+  surfaces_.resize(first + accepted);
   return fits;
 }
 
 /// Holes shrink steadily on a scale of logarithms, and each octave of them costs about the same.
 void Packer::report(Status& status) {
-  const std::size_t placed = surfaces_.instances.size();
+  const std::size_t placed = surfaces_.instances().size();
   if (placed < reported_) {
     return;
   }

@@ -28,14 +28,15 @@ class PlacedElement {
     return glm::dot(unit, unit) <= 1.0 && element_->solid().inside(unit);
   }
   /// Exact distance in world units, rounded down to float; infinite where that is not below
-  /// `limit`. `unit` is outside. The result is the same for every limit that it is below.
-  [[nodiscard]] float distance(const dvec3& unit, double limit) const;
-  /// False only where distance() is not below `limit`.
-  [[nodiscard]] bool may_be_within(const dvec3& unit, float limit) const {
+  /// `limit`. `unit` is outside. The result is the same for every limit that it is below; where it
+  /// is below `near_enough` it may come out larger, but still below that.
+  [[nodiscard]] float distance(const dvec3& unit, double limit, double near_enough = 0.0) const;
+  /// No more than distance().
+  [[nodiscard]] float least_distance(const dvec3& unit) const {
     const glm::vec3 query(unit);
     const float error = float_error * (1.0F + glm::length(query));
-    const float unit_limit = limit / static_cast<float>(radius_) * above_one + error;
-    return squared_bounds(query).lower < unit_limit * unit_limit * above_one;
+    const float least = std::sqrt(std::max(squared_bounds(query).lower, 0.0F)) * below_one - error;
+    return std::max(least, 0.0F) * (static_cast<float>(radius_) * below_one);
   }
   /// Around distance(), in world units, for four points, which may be off by `off` in the unit
   /// frame and 3·10⁻⁷ of their lengths.
@@ -44,12 +45,7 @@ class PlacedElement {
     Four upper;
   };
   [[nodiscard]] Bounds bounds(const Points<Four>& units, float off) const {
-    const auto at = [&](std::size_t lane) {
-      return squared_bounds({units[0][lane], units[1][lane], units[2][lane]});
-    };
-    const std::array squared{at(0), at(1), at(2), at(3)};
-    const Four lower{squared[0].lower, squared[1].lower, squared[2].lower, squared[3].lower};
-    const Four gap{squared[0].gap, squared[1].gap, squared[2].gap, squared[3].gap};
+    const auto [lower, gap] = squared_bounds(units);
     const Four error = off + float_error * (1.0F + square_root(dot(units, units)));
     const Four least = square_root(larger(lower, Four{})) * below_one - error;
     const Four most = square_root(larger(lower + gap, Four{})) + error;
@@ -67,13 +63,23 @@ class PlacedElement {
   /// What is taken off a distance that was found exactly, and that rounding to float loses.
   static constexpr float float_error = 2.5e-6F;
 
-  [[nodiscard]] DistanceBounds::Squared squared_bounds(const glm::vec3& query) const {
-    const float farthest = std::max({std::abs(query.x), std::abs(query.y), std::abs(query.z)});
-    if (farthest < DistanceBounds::reach) {
+  [[nodiscard]] DistanceBounds::Squared<float> squared_bounds(const glm::vec3& query) const {
+    const float squared_length = glm::dot(query, query);
+    if (squared_length < DistanceBounds::reach * DistanceBounds::reach) {
       return element_->distance_bounds().squared(query, detail_);
     }
-    const float length = glm::length(query);  // within the unit ball: between length - 1 and + 1
+    const float length = std::sqrt(squared_length);  // the unit ball: between length - 1 and + 1
     return {(length - 1.0F) * (length - 1.0F), 4.0F * length};
+  }
+  [[nodiscard]] DistanceBounds::Squared<Four> squared_bounds(const Points<Four>& queries) const {
+    const Four squared_length = dot(queries, queries);
+    const FourIntegers is_near = squared_length < DistanceBounds::reach * DistanceBounds::reach;
+    if ((is_near[0] & is_near[1] & is_near[2] & is_near[3]) != 0) {
+      return element_->distance_bounds().squared(queries, detail_);
+    }
+    const Four length = square_root(squared_length);
+    const Four least = larger(length - 1.0F, Four{});
+    return {least * least, 4.0F * larger(length, all_four(1.0F))};
   }
 
   const Element* element_;
@@ -93,25 +99,41 @@ struct Nearest {
 class Surfaces {
  public:
   /// The elements are those that instances index; they and the target must outlive this.
-  Surfaces(const Target& target, std::vector<const Element*> elements)
-      : target_(target), elements_(std::move(elements)) {}
+  Surfaces(const Target& target, std::vector<const Element*> elements);
 
-  std::vector<Instance> instances;
+  [[nodiscard]] const std::vector<Instance>& instances() const { return instances_; }
+  [[nodiscard]] std::vector<Instance> take_instances() { return std::move(instances_); }
+  /// Ends with those of a smaller number, or with such as have yet to be set.
+  void resize(std::size_t count);
+  /// Different ones may be set at the same time.
+  void set(std::size_t index, const Instance& instance);
+  void add(const Instance& instance);
 
   /// Instance `id`; see PlacedElement.
   [[nodiscard]] PlacedElement placed(SurfaceId id, double voxel_side = 0.0) const {
-    const Instance& instance = instances[id - 1];
+    const Instance& instance = instances_[id - 1];
     return {*elements_[instance.element], instance, voxel_side};
   }
   /// Makes a surface the nearest to a point, which is in no instance, where it is nearer than the
-  /// one so far, or as near and comes before it.
-  void consider(SurfaceId id, const dvec3& point, Nearest& nearest) const;
+  /// one so far, or as near and comes before it. A clearance below `near_enough` may come out
+  /// larger, but still below that.
+  void consider(SurfaceId id, const dvec3& point, Nearest& nearest, double near_enough = 0.0) const;
+  /// No more than the clearance that an instance leaves; infinite where that is not below `limit`.
+  /// About a tenth of the cost of consider().
+  [[nodiscard]] float least_clearance(SurfaceId id, const dvec3& point, float limit) const;
   /// Unit vector to the nearest point of the surface, whose distance() is `clearance`.
   [[nodiscard]] dvec3 direction(SurfaceId id, const dvec3& point, double clearance) const;
 
  private:
+  [[nodiscard]] bool sphere_is_within(SurfaceId id, const dvec3& point, float limit) const;
+
   const Target& target_;
   std::vector<const Element*> elements_;
+  std::vector<Instance> instances_;
+  /// Of each instance, from `middle_`: centre and radius, which is larger by what float loses.
+  std::vector<glm::vec4> spheres_;
+  dvec3 middle_;
+  double rounding_;
 };
 
 }  // namespace collage

@@ -109,20 +109,36 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   const dvec3 point = field.sample_point(peak);
   Nearest found;
   const auto consider = [&](SurfaceId id) { surfaces.consider(id, point, found); };
+  const auto consider_if_useful = [&](SurfaceId id) {
+    if (found.clearance >= useless) {
+      surfaces.consider(id, point, found, useless);
+    }
+  };
   if (upper < useless) {
     consider(target_surface);
-    for (std::size_t i = 1; i <= surfaces.instances.size(); ++i) {
+    for (std::size_t i = 1; i <= surfaces.instances().size(); ++i) {
       consider(static_cast<SurfaceId>(i));
     }
   } else if (nearest.id() == several_surfaces) {
     found.clearance = upper;
-    field.for_each_neighbour(peak.block, consider);
+    // First the one that is likely to rule the others out.
+    SurfaceId likeliest = target_surface;
+    float least = field.least_from_target(peak.block);
+    field.for_each_neighbour(peak.block, [&](SurfaceId id) {
+      const float bound = surfaces.least_clearance(id, point, upper);
+      if (bound < least) {
+        likeliest = id;
+        least = bound;
+      }
+    });
+    consider_if_useful(likeliest);
+    field.for_each_neighbour(peak.block, consider_if_useful);
     if (field.least_from_target(peak.block) <= found.clearance) {
-      consider(target_surface);
+      consider_if_useful(target_surface);
     }
   } else {
     found.clearance = upper;
-    consider(nearest.id());
+    consider_if_useful(nearest.id());
   }
   nearest = NearestSurface(found.id);
   upper = found.clearance;

@@ -128,11 +128,11 @@ Packing exact_pack(const Target& target, ClearanceField& field,
       break;
     }
     if (options.climb) {
-      std::vector<SurfaceId> all(surfaces.instances.size());
+      std::vector<SurfaceId> all(surfaces.instances().size());
       std::iota(all.begin(), all.end(), target_surface + 1);
       hole = climbed(surfaces, hole, all, std::min(field.grid().voxel_side, hole.clearance));
     }
-    const auto instance = placer.place(hole, surfaces.instances.size(), surfaces);
+    const auto instance = placer.place(hole, surfaces.instances().size(), surfaces);
     if (!instance) {
       if (!placer.fits_elsewhere(hole)) {
         break;
@@ -140,14 +140,14 @@ Packing exact_pack(const Target& target, ClearanceField& field,
       field.close(*peak);
       continue;
     }
-    surfaces.instances.push_back(*instance);
+    surfaces.add(*instance);
     packing.voxels_inside_instances += exact_update(
-        field, surfaces, static_cast<SurfaceId>(surfaces.instances.size()), hole, distance);
+        field, surfaces, static_cast<SurfaceId>(surfaces.instances().size()), hole, distance);
     if (options.climb && field.block(peak->block).upper[peak->slot] == peak->upper) {
       field.close(*peak);
     }
   }
-  packing.instances = std::move(surfaces.instances);
+  packing.instances = surfaces.take_instances();
   return packing;
 }
 

@@ -138,6 +138,28 @@ TEST(ClosestPointIndex, FindsNothingBeyondTheGivenDistance) {
   EXPECT_DOUBLE_EQ(found->distance, 0.4);
 }
 
+TEST(ClosestPointIndex, EndsWithAnyPointThatIsNearEnough) {
+  const Mesh mesh = test::blob_mesh(0.7, 0.3, 20);
+  const ClosestPointIndex index(mesh);
+  Rng rng(8, 0);
+  int farther = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const dvec3 query = test::random_point(rng, 2.0);
+    const double nearest = index.find(query, unbounded)->distance;
+    const double near_enough = nearest * (0.5 + rng.uniform());
+    const double limit = nearest * (0.5 + rng.uniform());
+    const auto found = index.find(query, unbounded, std::nullopt, near_enough);
+    if (nearest < near_enough) {
+      ASSERT_LT(found->distance, near_enough);
+      farther += found->distance > nearest ? 1 : 0;
+    } else {
+      ASSERT_EQ(found->distance, nearest);
+    }
+    ASSERT_EQ(index.find(query, limit, std::nullopt, near_enough).has_value(), nearest < limit);
+  }
+  EXPECT_GT(farther, 100);
+}
+
 TEST(ClosestPointIndex, VerticesAloneAreNeverNearerThanTriangles) {
   const Mesh mesh = test::torus_mesh(0.6, 0.2, 24, 12);
   const ClosestPointIndex triangles(mesh);

@@ -83,6 +83,27 @@ TEST(DistanceBounds, HoldOnTheGridsOwnPlanes) {
   }
 }
 
+/// Four at once against one by one, in grids of their own each.
+TEST(DistanceBounds, OfFourAreThoseOfEach) {
+  const DistanceBounds bounds{ClosestPointIndex(test::blob_mesh(0.7, 0.3, 8))};
+  Rng rng(9, 1);
+  for (int i = 0; i < 4000; ++i) {
+    Points<Four> queries;
+    for (std::size_t lane = 0; lane < four_lanes; ++lane) {
+      set_lane(queries, lane, test::random_point(rng, std::ldexp(0.99, rng.below(5))));
+    }
+    for (const auto detail : details) {
+      const auto [lower, gap] = bounds.squared(queries, detail);
+      for (std::size_t lane = 0; lane < four_lanes; ++lane) {
+        const auto one =
+            bounds.squared({queries[0][lane], queries[1][lane], queries[2][lane]}, detail);
+        ASSERT_EQ(lower[lane], one.lower);
+        ASSERT_EQ(gap[lane], one.gap);
+      }
+    }
+  }
+}
+
 /// Bounds that are true but say nothing would not be worth their memory.
 TEST(DistanceBounds, AreTightAndTighterWhereFine) {
   const DistanceBounds bounds{ClosestPointIndex(test::torus_mesh(0.75, 0.25, 24, 12))};

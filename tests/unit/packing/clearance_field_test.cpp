@@ -1,8 +1,10 @@
 #include "packing/clearance_field.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -54,6 +56,26 @@ TEST(ClearanceField, TiesGoToTheFirstGroupThenToTheLeastZThenYThenX) {
   }
   EXPECT_EQ(peaks, field.voxels_inside());
   EXPECT_EQ(peaks, std::size_t{17 * 11 * 8});
+}
+
+TEST(ClearanceField, ListsTheNeighboursOfEachBlock) {
+  const GridTarget target(level_grid({9, 9, 9}));
+  Status status;
+  ClearanceField field(target, target.voxels(0, 0.0, 0), status);
+  std::array<std::set<SurfaceId>, 3> added;
+  for (SurfaceId id = 1; id <= 100; ++id) {
+    for (std::size_t block = 0; block < added.size(); ++block) {
+      if (id % (block + 1) == 0) {
+        field.add_neighbour(block, id);
+        added[block].insert(id);
+      }
+    }
+  }
+  for (std::size_t block = 0; block < added.size(); ++block) {
+    std::multiset<SurfaceId> listed;
+    field.for_each_neighbour(block, [&](SurfaceId id) { listed.insert(id); });
+    EXPECT_TRUE(std::ranges::equal(listed, added[block]));
+  }
 }
 
 TEST(ClearanceField, KnowsTheLeastClearanceOfEachBlock) {
