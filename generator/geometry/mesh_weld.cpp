@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
@@ -78,21 +79,37 @@ std::vector<std::uint32_t> find_moves(const Mesh& mesh, const Topology& topology
   return place;
 }
 
-/// Takes back moves that leave a triangle without area, and the others of its corners.
+/// Takes back moves that leave a triangle without area, and the others of its corners; each of
+/// which may leave others of its triangles without.
 void keep_areas(const Mesh& mesh, const Topology& topology, std::vector<std::uint32_t>& place) {
-  bool again = true;
-  while (again) {
-    again = false;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const uvec3 from = welded_triangle(mesh, topology, t);
-      const uvec3 to(place[from.x], place[from.y], place[from.z]);
-      const dvec3 a = mesh.positions[to.x];
-      if (from != to &&
-          glm::cross(mesh.positions[to.y] - a, mesh.positions[to.z] - a) == dvec3(0.0)) {
-        place[from.x] = from.x;
-        place[from.y] = from.y;
-        place[from.z] = from.z;
-        again = true;
+  const auto moved = [&](const uvec3& t) { return uvec3(place[t.x], place[t.y], place[t.z]); };
+  std::vector<std::size_t> to_check;
+  std::vector<std::pair<std::uint32_t, std::size_t>> triangles;  // by corner
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const uvec3 corners = welded_triangle(mesh, topology, t);
+    if (moved(corners) != corners) {
+      to_check.push_back(t);
+      for (int k = 0; k < 3; ++k) {
+        triangles.emplace_back(corners[k], t);
+      }
+    }
+  }
+  std::ranges::sort(triangles);
+  while (!to_check.empty()) {
+    const uvec3 from = welded_triangle(mesh, topology, to_check.back());
+    to_check.pop_back();
+    const uvec3 to = moved(from);
+    const dvec3 a = mesh.positions[to.x];
+    if (from == to ||
+        glm::cross(mesh.positions[to.y] - a, mesh.positions[to.z] - a) != dvec3(0.0)) {
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (std::exchange(place[from[k]], from[k]) != from[k]) {
+        const auto first = std::ranges::lower_bound(triangles, std::pair(from[k], std::size_t{0}));
+        for (auto next = first; next != triangles.end() && next->first == from[k]; ++next) {
+          to_check.push_back(next->second);
+        }
       }
     }
   }
