@@ -71,7 +71,8 @@ void commit(ClearanceField& field, const Update& done);
 void undo(ClearanceField& field, const Update& done);
 
 /// Finds the exact clearance of a voxel, from its nearest surface, or where that is not known from
-/// its block's neighbours, or where it is useless from all.
+/// its block's neighbours, or where it is useless from all. One that turns out to be below
+/// `useless` may come out larger, but still below that.
 /// Returns the block's largest upper bound afterwards.
 float make_exact(ClearanceField& field, const Surfaces& surfaces, const ClearanceField::Peak& peak,
                  float useless);
