@@ -24,6 +24,9 @@ class FreeSpace::Newcomer {
     return shape_.distances().holds(steps) ? shape_.distances().value(steps) * pose_.radius
                                            : to_ball(point);
   }
+  [[nodiscard]] double lattice_error() const {
+    return std::sqrt(3.0) * shape_.distances().spacing() * pose_.radius;
+  }
   /// The distance to the instance where it is below `limit`, else no less than `limit`.
   [[nodiscard]] double distance(const dvec3& point, double limit) const {
     const double ball = to_ball(point);
@@ -222,12 +225,23 @@ FreeSpace::Change FreeSpace::add_to_block(std::size_t block, const Newcomer& new
   return change;
 }
 
+/// In all blocks that hold some of it; those at the lattice's edge reach half a step beyond it.
+void FreeSpace::list_resident(const Newcomer& newcomer, const Pose& pose, std::uint32_t instance) {
+  const double half_block = 0.5 * block_side * distances_.spacing();
+  const double half_diagonal = std::sqrt(3.0) * (half_block + distances_.spacing());
+  for_blocks_near(pose.center, pose.radius, [&](std::size_t block) {
+    const dvec3 middle = distances_.point(block_at(block) * block_side) + half_block;
+    if (newcomer.least_distance(middle) <= half_diagonal + newcomer.lattice_error()) {
+      residents_[block].push_back(instance);
+    }
+  });
+}
+
 void FreeSpace::add(const ShapedElement& shape, const Pose& pose, std::uint32_t instance) {
   const Newcomer newcomer(shape, pose);
   const double half_block = 0.5 * (block_side - 1) * distances_.spacing();
   const double half_diagonal = std::sqrt(3.0) * half_block;
-  for_blocks_near(pose.center, pose.radius,
-                  [&](std::size_t block) { residents_[block].push_back(instance); });
+  list_resident(newcomer, pose, instance);
   std::vector<std::size_t> blocks;
   for_blocks_near(pose.center, pose.radius + largest_, [&](std::size_t block) {
     const dvec3 middle = distances_.point(block_at(block) * block_side) + half_block;

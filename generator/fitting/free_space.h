@@ -44,8 +44,8 @@ class FreeSpace {
   /// number.
   void add(const ShapedElement& shape, const Pose& pose, std::uint32_t instance);
 
-  /// Calls `visit(instance)` for all instances added whose balls come within `reach` of `center`,
-  /// some others, and some more than once.
+  /// Calls `visit(instance)` for all instances added that come within `reach` of `center`, some
+  /// others, and some more than once.
   template <class Visit>
   void visit_near(const dvec3& center, double reach, Visit&& visit) const {
     for_blocks_near(center, reach, [&](std::size_t block) {
@@ -94,6 +94,7 @@ class FreeSpace {
     bool changed = false;
     std::size_t filled = 0;
   };
+  void list_resident(const Newcomer& newcomer, const Pose& pose, std::uint32_t instance);
   Change add_to_block(std::size_t block, const Newcomer& newcomer);
 
   DistanceField distances_;

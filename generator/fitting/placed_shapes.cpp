@@ -44,7 +44,7 @@ void PlacedShapes::find_surroundings(const Pose& pose, std::uint32_t first,
   // Sees all that is near the ball of this radius, in which the pose stays.
   const double reach = 1.3 * pose.radius;
   find_near(pose.center, reach + spacing_, first, ids);
-  surroundings.reset(pose.center, first == 0 ? &space_.target_distances() : nullptr);
+  surroundings.reset(pose.center, reach, first == 0 ? &space_.target_distances() : nullptr);
   for (const std::uint32_t other : ids) {
     if (least_distance(other, pose.center) < reach + spacing_) {
       surroundings.add(*shapes_[other], poses_[other]);

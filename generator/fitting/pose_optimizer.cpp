@@ -10,6 +10,8 @@ constexpr std::size_t growth = 6;
 constexpr std::size_t slack = 7;
 constexpr double slack_price = 30.0;
 constexpr double most_slack = 4.0;
+/// Of interpolated distances: 1 along each axis of the lattice.
+constexpr double steepest_slope = 1.7321;
 
 glm::dquat turned_by(const dvec3& axis_angle, const glm::dquat& rotation) {
   const double angle = glm::length(axis_angle);
@@ -20,9 +22,19 @@ glm::dquat turned_by(const dvec3& axis_angle, const glm::dquat& rotation) {
   return glm::normalize(glm::dquat(std::cos(0.5 * angle), axis.x, axis.y, axis.z) * rotation);
 }
 
+/// With more room than this, in units of the radius, a sphere does not limit a step.
+float reach(double step, const glm::vec3& center, float radius) {
+  return static_cast<float>(step) * (1.4F + 2.4F * glm::length(center) + radius);
+}
+
 }  // namespace
 
 double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
+  forget(spheres);
+  return violation_within(0.0, spheres, pose);
+}
+
+double PoseOptimizer::violation_within(double step, const SphereSet& spheres, const Pose& pose) {
   const std::size_t count = spheres.centers.size();
   turned_.resize(count);
   distance_.resize(count);
@@ -33,14 +45,26 @@ double PoseOptimizer::violation(const SphereSet& spheres, const Pose& pose) {
   const glm::vec3 middle =
       near_ != nullptr ? near_->from_origin(pose.center) : glm::vec3(distances_.steps(pose.center));
   const auto radius = static_cast<float>(pose.radius / unit);
+  const auto steepest = static_cast<float>(steepest_slope * unit);
   const auto units_per_world = static_cast<float>(1.0 / pose.radius);
   const auto margin = static_cast<float>(margin_);
   float worst = -1e30F;
   for (const std::size_t i : spheres.order) {
     turned_[i] = rotation * spheres.centers[i];
     const glm::vec3 at = middle + radius * turned_[i];
+    Seen& seen = seen_[i];
+    const auto is_out_of_reach = [&](float at_least) {
+      distance_[i] = (at_least - margin) * units_per_world;
+      return distance_[i] - spheres.radii[i] > reach(step, turned_[i], spheres.radii[i]);
+    };
+    const float least = seen.distance - steepest * glm::distance(at, seen.at);
+    if (is_out_of_reach(least) &&
+        (near_ == nullptr || is_out_of_reach(std::min(least, near_->nearest_jump(at))))) {
+      continue;
+    }
     const float distance =
         near_ != nullptr ? near_->value(at, away_[i], nearest_[i]) : distances_.value(at, away_[i]);
+    seen = {at, distance};
     distance_[i] = (distance - margin) * units_per_world;
     worst = std::max(worst, spheres.radii[i] - distance_[i]);
   }
@@ -78,9 +102,8 @@ void PoseOptimizer::add_constraints(const SphereSet& spheres, double step) {
     const glm::vec3& g = away_[i];
     const float r = spheres.radii[i];
     const float room = distance_[i] - r;
-    const float arm = glm::length(q);
-    if (room > static_cast<float>(step) * (1.4F + 2.4F * arm + r)) {
-      continue;  // out of reach
+    if (room > reach(step, q, r)) {
+      continue;
     }
     const glm::vec3 turn = glm::cross(q, g);
     program_.add({-g.x, -g.y, -g.z, -turn.x, -turn.y, -turn.z, r - glm::dot(g, q), -1.0F}, room);
@@ -107,8 +130,12 @@ Pose PoseOptimizer::maximize(const SphereSet& spheres, const Pose& start, const 
   Pose pose = start;
   Pose best;
   double step = options.first_step;
+  forget(spheres);
   for (int i = 0; i < options.steps && step >= least_step; ++i) {
-    if (violation(spheres, pose) <= tolerance && pose.radius > best.radius) {
+    if (options.look == Options::Look::at_all) {
+      forget(spheres);
+    }
+    if (violation_within(step, spheres, pose) <= tolerance && pose.radius > best.radius) {
       best = pose;
     }
     if (i == options.steps / 2 && std::max(best.radius, pose.radius) < options.least_radius) {
@@ -129,10 +156,10 @@ Pose PoseOptimizer::maximize(const SphereSet& spheres, const Pose& start, const 
     program_.highest[slack] = most_slack;
     step *= take_step(pose) ? decay : retreat;
   }
-  double excess = violation(spheres, pose);
+  double excess = violation_within(0.0, spheres, pose);
   for (int i = 0; i < 4 && excess > tolerance && pose.radius > best.radius; ++i) {
     pose.radius *= 1.0 - std::min(0.2, 1.3 * excess);
-    excess = violation(spheres, pose);
+    excess = violation_within(0.0, spheres, pose);
   }
   return excess <= tolerance && pose.radius > best.radius ? pose : best;
 }

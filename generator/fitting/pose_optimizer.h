@@ -29,6 +29,9 @@ class PoseOptimizer {
     /// Largest motion, turn and growth of the first step.
     double first_step = 0.3;
     double largest_radius = 1e300;
+    /// Spheres seen too far away to limit a step need not be looked at again: the result is the
+    /// same.
+    enum class Look { at_near_ones, at_all } look = Look::at_near_ones;
     /// Give up where half of the steps have led to less than this radius.
     double least_radius = 0.0;
   };
@@ -38,7 +41,7 @@ class PoseOptimizer {
       : distances_(distances), margin_(margin) {}
 
   /// From now on distances are those of `near`, which must live as long; nullptr: of the whole.
-  void look_at(const Surroundings* near) {
+  void look_at(Surroundings* near) {
     near_ = near;
     nearest_.clear();
   }
@@ -57,18 +60,30 @@ class PoseOptimizer {
   Pose hug(const SphereSet& spheres, const Pose& start);
 
  private:
+  /// Where a sphere's distance was looked up, and what it was.
+  struct Seen {
+    glm::vec3 at;
+    float distance;
+  };
+  void forget(const SphereSet& spheres) {
+    seen_.assign(spheres.centers.size(), {glm::vec3(0.0F), -1e30F});
+  }
+  /// The same where it is positive; spheres that were seen too far away to limit a step of this
+  /// size are not looked at.
+  double violation_within(double step, const SphereSet& spheres, const Pose& pose);
   void add_constraints(const SphereSet& spheres, double step);
   /// Takes the step that the linear program asks for; false where there is none.
   bool take_step(Pose& pose);
 
   const DistanceField& distances_;
   double margin_;
-  const Surroundings* near_ = nullptr;
+  Surroundings* near_ = nullptr;
   LinearProgram program_;
   /// By sphere: centre in the turned unit frame, distance over the radius, direction of growth.
   std::vector<glm::vec3> turned_;
   std::vector<float> distance_;
   std::vector<glm::vec3> away_;
+  std::vector<Seen> seen_;
   /// By sphere, which of the surroundings was the nearest before.
   std::vector<std::uint32_t> nearest_;
 };

@@ -2,6 +2,16 @@
 
 namespace collage {
 
+void Surroundings::reset(const dvec3& origin, double reach, const DistanceField* target) {
+  origin_ = origin;
+  target_ = target;
+  neighbours_.clear();
+  all_.clear();
+  cell_side_ = static_cast<float>(2.0 * reach / cells_per_side);
+  cells_.assign(std::size_t{cells_per_side} * cells_per_side * cells_per_side, Cell{});
+  candidates_.assign(1, 0);
+}
+
 void Surroundings::add(const ShapedElement& shape, const Pose& pose) {
   const DistanceField& distances = shape.distances();
   const glm::dmat3 rotation = glm::mat3_cast(pose.rotation);
@@ -10,10 +20,76 @@ void Surroundings::add(const ShapedElement& shape, const Pose& pose) {
                          static_cast<float>(pose.radius), glm::mat3(rotation),
                          glm::mat3(glm::transpose(rotation) * steps_per_world),
                          glm::vec3(distances.steps(dvec3(0.0)))});
+  all_.push_back(static_cast<std::uint32_t>(all_.size()));
 }
 
-float Surroundings::value(const glm::vec3& point, glm::vec3& direction,
-                          std::uint32_t& nearest) const {
+const Surroundings::Cell* Surroundings::cell_at(const glm::vec3& point) {
+  constexpr std::size_t few = 4;
+  const glm::vec3 steps = point / cell_side_ + 0.5F * cells_per_side;
+  if (all_.size() <= few || glm::any(glm::lessThan(steps, glm::vec3(0.0F))) ||
+      glm::any(glm::greaterThanEqual(steps, glm::vec3(cells_per_side)))) {
+    return nullptr;
+  }
+  const glm::ivec3 at(steps);
+  const int index = (at.z * cells_per_side + at.y) * cells_per_side + at.x;
+  Cell& cell = cells_[static_cast<std::size_t>(index)];
+  if (cell.first == 0) {
+    cell = look_into(cell_side_ * (glm::vec3(at) + 0.5F - 0.5F * cells_per_side));
+  }
+  return &cell;
+}
+
+std::span<const std::uint32_t> Surroundings::candidates(const glm::vec3& point) {
+  const Cell* cell = cell_at(point);
+  return cell != nullptr ? std::span<const std::uint32_t>(candidates_)
+                               .subspan(cell->first, cell->last - cell->first)
+                         : all_;
+}
+
+Surroundings::Cell Surroundings::look_into(const glm::vec3& middle) {
+  constexpr float rounding = 1.001F;
+  // Half of a cell's diagonal, and how much an interpolated distance may change on the way.
+  const float half = rounding * 0.8661F * cell_side_;
+  const float change = rounding * 1.5F * cell_side_;
+  float most = 1e30F;
+  if (target_ != nullptr) {
+    most = target_->value(glm::vec3(target_->steps(origin_ + dvec3(middle)))) + change;
+  }
+  float nearest_jump = 1e30F;
+  least_.clear();
+  for (const Neighbour& neighbour : neighbours_) {
+    const glm::vec3 arm = middle - neighbour.center;
+    const float to_ball = glm::length(arm) - neighbour.radius;
+    if (to_ball - half > most) {
+      least_.push_back(1e30F);
+      continue;
+    }
+    const glm::vec3 steps = neighbour.steps(arm);
+    const float distance = neighbour.distances->value(steps) * neighbour.radius;
+    const glm::vec3 margin(half /
+                           (neighbour.radius * static_cast<float>(neighbour.distances->spacing())));
+    const bool all_held =
+        neighbour.distances->holds(steps - margin) && neighbour.distances->holds(steps + margin);
+    if (all_held) {
+      least_.push_back(distance - change);
+      most = std::min(most, distance + change);
+    } else {
+      least_.push_back(std::min(distance - change, to_ball - half));
+      most = std::min(most, std::max(distance + change, to_ball + half));
+      nearest_jump = std::min(nearest_jump, least_.back());
+    }
+  }
+  Cell cell{static_cast<std::uint32_t>(candidates_.size()), 0, nearest_jump};
+  for (const std::uint32_t n : all_) {
+    if (least_[n] <= most) {
+      candidates_.push_back(n);
+    }
+  }
+  cell.last = static_cast<std::uint32_t>(candidates_.size());
+  return cell;
+}
+
+float Surroundings::value(const glm::vec3& point, glm::vec3& direction, std::uint32_t& nearest) {
   float least = 1e30F;
   glm::vec3 target_steps;
   if (target_ != nullptr) {
@@ -29,7 +105,7 @@ float Surroundings::value(const glm::vec3& point, glm::vec3& direction,
     if (reach <= 0.0F || squared >= reach * reach) {
       return;
     }
-    const glm::vec3 steps = neighbour.steps_of_center + neighbour.steps_from_world * arm;
+    const glm::vec3 steps = neighbour.steps(arm);
     float distance = 0.0F;
     if (!neighbour.distances->holds(steps)) {
       distance = std::sqrt(squared) - neighbour.radius;
@@ -48,7 +124,7 @@ float Surroundings::value(const glm::vec3& point, glm::vec3& direction,
   if (first < neighbours_.size()) {
     look_at(neighbours_[first]);
   }
-  for (std::uint32_t n = 0; n < neighbours_.size(); ++n) {
+  for (const std::uint32_t n : candidates(point)) {
     if (n != first) {
       look_at(neighbours_[n]);
     }

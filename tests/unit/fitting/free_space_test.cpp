@@ -101,6 +101,27 @@ TEST(FreeSpace, KnowsWhoIsNear) {
   EXPECT_FALSE(near({0.8, -0.6, -0.6}, 0.01, 1));
 }
 
+TEST(FreeSpace, KnowsAnInstanceWhereItsSolidIs) {
+  World world;
+  FreeSpace space(world.target, 96, world.status);
+  const Pose pose{{0.1, 0.0, -0.1}, poses()[0].rotation, 0.65};
+  space.add(world.shape, pose, 0);
+  Rng rng(1, 2);
+  int inside = 0;
+  int unknown = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const dvec3 point = pose.center + test::random_point(rng, pose.radius);
+    bool known = false;
+    space.visit_near(point, 1e-6, [&](std::uint32_t) { known = true; });
+    const bool solid = world.signed_distance(pose, point) <= 0.0;
+    EXPECT_TRUE(known || !solid);
+    inside += solid ? 1 : 0;
+    unknown += known ? 0 : 1;
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(unknown, 100);  // its bounding box is not all that is listed
+}
+
 /// The sign of an open box changes in its opening, far from any surface.
 TEST(DistanceField, PutsASurfaceIntoGaps) {
   const Mesh mesh = test::open_box_mesh(dvec3(-1.0), dvec3(1.0));

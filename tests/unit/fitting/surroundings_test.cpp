@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fitting/free_space.h"
 #include "packing/orientation.h"
 #include "support/meshes.h"
 
@@ -14,12 +15,12 @@ struct Neighbours {
   ShapedElement shape{mesh, element, measure_shape(mesh, element)};
   std::vector<Pose> poses;
 
-  Neighbours() {
+  explicit Neighbours(int count) {
     Rng rng(1, 2);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < count; ++i) {
       const dvec3 axis = glm::normalize(test::random_point(rng, 1.0));
       poses.push_back({test::random_point(rng, 0.6), orientation({0.0, 0.0, 1.0}, axis, 1.0),
-                       0.3 + 0.4 * rng.uniform()});
+                       0.2 + 0.4 * rng.uniform()});
     }
   }
   /// The least of all lattices, each asked.
@@ -36,31 +37,50 @@ struct Neighbours {
   }
 };
 
-TEST(Surroundings, AreAsNearAsTheNearestOfAllNeighbours) {
-  const Neighbours all;
+/// In places of which some are out of the reach asked for, held against all lattices.
+void expect_nearest_of_all(const Neighbours& all, const DistanceField* target) {
+  const auto distance = [&](const dvec3& point) {
+    const double nearest = all.distance(point);
+    return target == nullptr
+               ? nearest
+               : std::min(nearest, double{target->value(glm::vec3(target->steps(point)))});
+  };
   Surroundings surroundings;
-  surroundings.reset(dvec3(0.1), nullptr);
+  surroundings.reset(dvec3(0.1), 0.9, target);
   for (const Pose& pose : all.poses) {
     surroundings.add(all.shape, pose);
   }
   Rng rng(3, 4);
   int falling = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const dvec3 point = test::random_point(rng, 1.2);
     glm::vec3 direction;
-    auto nearest = static_cast<std::uint32_t>(i % 8);  // some guesses are wrong, some impossible
+    auto nearest = static_cast<std::uint32_t>(i % 20);  // some guesses are wrong, some impossible
     EXPECT_NEAR(surroundings.value(surroundings.from_origin(point), direction, nearest),
-                all.distance(point), 1e-5);
+                distance(point), 1e-5);
     EXPECT_NEAR(glm::length(direction), 1.0, 1e-4);
     const dvec3 farther = point + 1e-3 * dvec3(direction);
-    falling += all.distance(farther) < all.distance(point) - 1e-5 ? 1 : 0;
+    falling += distance(farther) < distance(point) - 1e-5 ? 1 : 0;
   }
   EXPECT_LT(falling,
-            20);  // only where the step comes nearer to another neighbour, or on its lattice
+            40);  // only where the step comes nearer to another neighbour, or on its lattice
+}
+
+TEST(Surroundings, AreAsNearAsTheNearestOfAllNeighbours) {
+  expect_nearest_of_all(Neighbours(3), nullptr);
+  expect_nearest_of_all(Neighbours(16), nullptr);
+}
+
+TEST(Surroundings, AreAsNearAsTheTargetWhereThatIsNearer) {
+  const Mesh mesh = test::box_mesh(dvec3(-1.0), dvec3(1.1));
+  const MeshTarget target(mesh);
+  Status status;
+  const FreeSpace space(target, 32, status);
+  expect_nearest_of_all(Neighbours(16), &space.distances());
 }
 
 TEST(DistanceMinima, AreBelowTheField) {
-  const Neighbours all;
+  const Neighbours all(1);
   const DistanceField& field = all.shape.distances();
   Rng rng(5, 6);
   for (int i = 0; i < 5000; ++i) {
