@@ -66,9 +66,9 @@ CellCrossings::CellCrossings(const Mesh& mesh, const WindingNumber& winding_numb
 
 dvec3 CellCrossings::middle(std::size_t cell) const {
   const auto side = static_cast<std::size_t>(cells_per_side_);
-  const dvec3 index(static_cast<double>(cell % side), static_cast<double>(cell / side % side),
-                    static_cast<double>(cell / (side * side)));
-  return (index + 0.5) * (2.0 / cells_per_side_) - 1.0;
+  const std::size_t row = cell / side;
+  const glm::u64vec3 index(cell % side, row % side, row / side);
+  return (dvec3(index) + 0.5) * (2.0 / cells_per_side_) - 1.0;
 }
 
 /// Lists each triangle in the cells that its box and its plane meet.
@@ -92,7 +92,8 @@ void CellCrossings::list_triangles(const Mesh& mesh) {
     for (at.z = first.z; at.z <= last.z; ++at.z) {
       for (at.y = first.y; at.y <= last.y; ++at.y) {
         for (at.x = first.x; at.x <= last.x; ++at.x) {
-          const auto cell = static_cast<std::size_t>((at.z * side + at.y) * side + at.x);
+          const std::size_t row = static_cast<std::size_t>(at.z) * side + at.y;
+          const std::size_t cell = row * side + at.x;
           if (std::abs(glm::dot(normal, middle(cell) - t[0])) <= reach) {
             visit(cell);
           }

@@ -11,7 +11,7 @@ namespace {
 constexpr int nearest_cells = 32;
 constexpr int far_cells = 16;
 /// Grids up to this half side have `nearest_cells`.
-constexpr double near_half_side = 2.0;
+constexpr int near_half_side = 2;
 
 std::size_t node_index(const glm::ivec3& node, int cells) {
   const std::size_t row = static_cast<std::size_t>(cells) + 1;
@@ -22,7 +22,7 @@ std::size_t node_index(const glm::ivec3& node, int cells) {
 }  // namespace
 
 DistanceBounds::DistanceBounds(const ClosestPointIndex& index, Detail finest) {
-  for (double half_side = 1.0; half_side <= reach; half_side *= 2.0) {
+  for (int half_side = 1; static_cast<float>(half_side) <= reach; half_side *= 2) {
     const bool is_fine = finest == Detail::fine && half_side <= near_half_side;
     const int cells = is_fine ? nearest_cells : far_cells;
     const std::vector<Node> nodes = sample(index, half_side, cells);

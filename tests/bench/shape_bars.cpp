@@ -257,8 +257,12 @@ class Growth {
 /// The exponent of time in the number of elements, beside that of n log n.
 std::vector<Bar> growth(double coarse, double fine, std::optional<double> seconds_allowed) {
   const Growth growth;
-  const Growth::Sample few = growth.pack(coarse);
+  // The short one twice before and twice after, as machines are now faster and now slower.
+  Growth::Sample few = growth.pack(coarse);
+  few.seconds += growth.pack(coarse).seconds;
   const Growth::Sample many = growth.pack(fine);
+  few.seconds += growth.pack(coarse).seconds + growth.pack(coarse).seconds;
+  few.seconds /= 4.0;
   const auto exponent = [&](double small, double large) {
     return std::log(large / small) / std::log(many.count / few.count);
   };

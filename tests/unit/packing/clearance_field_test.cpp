@@ -31,7 +31,7 @@ DistanceGrid level_grid(const glm::ivec3& size) {
 
 TEST(VoxelGrid, EveryBlockHasItsIndex) {
   const VoxelGrid grid{{21, 9, 30}};
-  EXPECT_EQ(grid.block_count(), std::size_t{6 * 4 * 8});
+  EXPECT_EQ(grid.block_count(), 6U * 4U * 8U);
   for (std::size_t index = 0; index < grid.block_count(); ++index) {
     EXPECT_EQ(grid.block_index(grid.block_at(index)), index);
   }
@@ -55,7 +55,7 @@ TEST(ClearanceField, TiesGoToTheFirstGroupThenToTheLeastZThenYThenX) {
     ++peaks;
   }
   EXPECT_EQ(peaks, field.voxels_inside());
-  EXPECT_EQ(peaks, std::size_t{17 * 11 * 8});
+  EXPECT_EQ(peaks, 17U * 11U * 8U);
 }
 
 TEST(ClearanceField, ListsTheNeighboursOfEachBlock) {

@@ -29,6 +29,7 @@ TEST(MeshTarget, ClearancesOfManyPointsAreThoseOfEach) {
   const MeshTarget target(test::torus_mesh(1.0, 0.4, 24, 12));
   Rng rng(4, 4);
   std::vector<dvec3> points;
+  points.reserve(2000);
   for (int i = 0; i < 2000; ++i) {  // some near the one before, some far
     points.push_back(i % 4 == 0 ? test::random_point(rng, 1.4)
                                 : points.back() + test::random_point(rng, 0.03));
