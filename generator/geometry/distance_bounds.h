@@ -80,7 +80,7 @@ class DistanceBounds {
     [[nodiscard]] std::uint32_t hint(const dvec3& query) const;
     [[nodiscard]] Squared<float> squared(const glm::vec3& query) const {
       const glm::vec3 at = (query + half_side) * cells_per_unit_;
-      const glm::ivec3 cell(at);
+      const glm::ivec3 cell = glm::min(glm::ivec3(at), cells_ - 1);  // rounding may lead beyond
       const glm::vec3 t = at - glm::vec3(cell);
       const std::ptrdiff_t row = cells_ + 1;
       const float* node = concave_.data() + (cell.z * row + cell.y) * row + cell.x;
@@ -102,11 +102,14 @@ class DistanceBounds {
                            grids[3]->half_side};
       const Four cells_per_unit{grids[0]->cells_per_unit_, grids[1]->cells_per_unit_,
                                 grids[2]->cells_per_unit_, grids[3]->cells_per_unit_};
+      const FourIntegers last{grids[0]->cells_ - 1, grids[1]->cells_ - 1, grids[2]->cells_ - 1,
+                              grids[3]->cells_ - 1};
       std::array<FourIntegers, 3> cell;
       Points<Four> t;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Four at = (queries[axis] + half_side) * cells_per_unit;
         cell[axis] = __builtin_convertvector(at, FourIntegers);
+        cell[axis] = cell[axis] < last ? cell[axis] : last;
         t[axis] = at - __builtin_convertvector(cell[axis], Four);
       }
       std::array<const float*, four_lanes> nodes;

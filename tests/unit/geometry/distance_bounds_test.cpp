@@ -71,7 +71,7 @@ TEST(DistanceBounds, HoldOnTheGridsOwnPlanes) {
   const DistanceBounds bounds{ClosestPointIndex(mesh)};
   for (const float x : {-8.0F, -1.0F, -0.25F, 0.0F, 0.5F, 1.0F, 2.0F, 4.0F, 15.0F}) {
     for (const float y : {-1.0F, 0.0F, 0.0625F, 0.99999994F}) {
-      for (const float z : {-2.0F, 0.0F, 0.1F, 1.0F}) {
+      for (const float z : {-2.0F, 0.0F, 0.1F, 0.99999994F, 1.0F}) {
         const double distance = brute_force_distance(mesh, {x, y, z});
         for (const auto detail : details) {
           const auto [lower, gap] = bounds.squared({x, y, z}, detail);
@@ -91,6 +91,9 @@ TEST(DistanceBounds, OfFourAreThoseOfEach) {
     Points<Four> queries;
     for (std::size_t lane = 0; lane < four_lanes; ++lane) {
       set_lane(queries, lane, test::random_point(rng, std::ldexp(0.99, rng.below(5))));
+    }
+    if (i % 8 == 0) {
+      queries[2][0] = 0.99999994F;  // the cell after the last, by rounding
     }
     for (const auto detail : details) {
       const auto [lower, gap] = bounds.squared(queries, detail);
