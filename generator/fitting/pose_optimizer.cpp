@@ -53,13 +53,16 @@ double PoseOptimizer::violation_within(double step, const SphereSet& spheres, co
     turned_[i] = rotation * spheres.centers[i];
     const glm::vec3 at = middle + radius * turned_[i];
     Seen& seen = seen_[i];
-    const auto is_out_of_reach = [&](float at_least) {
-      distance_[i] = (at_least - margin) * units_per_world;
-      return distance_[i] - spheres.radii[i] > reach(step, turned_[i], spheres.radii[i]);
+    const auto is_out_of_reach = [&](float distance) {
+      const float room = (distance - margin) * units_per_world - spheres.radii[i];
+      return room > reach(step, turned_[i], spheres.radii[i]);
     };
-    const float least = seen.distance - steepest * glm::distance(at, seen.at);
-    if (is_out_of_reach(least) &&
-        (near_ == nullptr || is_out_of_reach(std::min(least, near_->nearest_jump(at))))) {
+    float least = seen.distance - steepest * glm::distance(at, seen.at);
+    if (near_ != nullptr && is_out_of_reach(least)) {
+      least = std::min(least, near_->nearest_jump(at));
+    }
+    if (is_out_of_reach(least)) {
+      distance_[i] = (least - margin) * units_per_world;
       continue;
     }
     const float distance =

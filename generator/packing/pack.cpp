@@ -121,11 +121,7 @@ bool Packer::find_largest_hole(Filling& filling) {
       filling.hole = {field_.sample_point(*peak), peak->upper, nearest.id()};
       return room(filling.hole) >= threshold();
     }
-    if (is_serial()) {
-      field_.set_block_maximum(peak->block, make_exact(field_, surfaces_, *peak, least));
-    } else {
-      make_largest_exact();
-    }
+    make_largest_exact();
   }
   return false;
 }
@@ -134,8 +130,9 @@ bool Packer::find_largest_hole(Filling& filling) {
 /// before their turn comes, which costs time but changes nothing.
 void Packer::make_largest_exact() {
   const float least = placer_.least_clearance();
+  const std::size_t most = is_serial() ? 1 : peaks_.size();
   std::size_t count = 0;
-  for (; count < peaks_.size(); ++count) {
+  for (; count < most; ++count) {
     const auto peak = field_.peak();
     if (!peak || peak->upper < least) {
       break;

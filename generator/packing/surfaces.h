@@ -118,8 +118,8 @@ class Surfaces {
   /// one so far, or as near and comes before it. A clearance below `near_enough` may come out
   /// larger, but still below that.
   void consider(SurfaceId id, const dvec3& point, Nearest& nearest, double near_enough = 0.0) const;
-  /// No more than the clearance that an instance leaves; infinite where that is not below `limit`.
-  /// About a tenth of the cost of consider().
+  /// No more than the clearance that an instance leaves; infinite where its bounding sphere is not
+  /// within `limit`. About a tenth of the cost of consider().
   [[nodiscard]] float least_clearance(SurfaceId id, const dvec3& point, float limit) const;
   /// Unit vector to the nearest point of the surface, whose distance() is `clearance`.
   [[nodiscard]] dvec3 direction(SurfaceId id, const dvec3& point, double clearance) const;

@@ -108,10 +108,10 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
   }
   const dvec3 point = field.sample_point(peak);
   Nearest found;
-  const auto consider = [&](SurfaceId id) { surfaces.consider(id, point, found); };
-  const auto consider_if_useful = [&](SurfaceId id) {
-    if (found.clearance >= useless) {
-      surfaces.consider(id, point, found, useless);
+  const float near_enough = upper < useless ? 0.0F : useless;
+  const auto consider = [&](SurfaceId id) {
+    if (found.clearance >= near_enough) {
+      surfaces.consider(id, point, found, near_enough);
     }
   };
   if (upper < useless) {
@@ -131,14 +131,14 @@ float make_exact(ClearanceField& field, const Surfaces& surfaces, const Clearanc
         least = bound;
       }
     });
-    consider_if_useful(likeliest);
-    field.for_each_neighbour(peak.block, consider_if_useful);
+    consider(likeliest);
+    field.for_each_neighbour(peak.block, consider);
     if (field.least_from_target(peak.block) <= found.clearance) {
-      consider_if_useful(target_surface);
+      consider(target_surface);
     }
   } else {
     found.clearance = upper;
-    consider_if_useful(nearest.id());
+    consider(nearest.id());
   }
   nearest = NearestSurface(found.id);
   upper = found.clearance;

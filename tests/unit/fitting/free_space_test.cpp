@@ -6,19 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "packing/orientation.h"
-#include "support/meshes.h"
+#include "unit/fitting/shape_world.h"
 
 namespace collage {
 namespace {
 
-struct World {
-  Mesh target_mesh = test::blob_mesh(1.0, 0.2, 16);
-  Mesh mesh = test::torus_mesh(1.0, 0.4, 24, 12);
-  Status status;
-  MeshTarget target{target_mesh};
-  FreeSpace space{target, 32, status};
-  Element element{mesh};
-  ShapedElement shape{mesh, element, measure_shape(mesh, element)};
+struct World : test::ShapeWorld {
+  World() : ShapeWorld(0.4, 32) {}
 
   [[nodiscard]] double signed_distance(const Pose& pose, const dvec3& point) const {
     const dvec3 unit = glm::conjugate(pose.rotation) * (point - pose.center) / pose.radius;

@@ -2,28 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include "fitting/free_space.h"
 #include "packing/orientation.h"
-#include "support/meshes.h"
+#include "unit/fitting/shape_world.h"
 
 namespace collage {
 namespace {
 
-struct World {
-  Mesh target_mesh = test::blob_mesh(1.0, 0.2, 16);
-  Mesh mesh = test::torus_mesh(1.0, 0.3, 24, 12);
-  Status status;
-  MeshTarget target{target_mesh};
-  FreeSpace space{target, 48, status};
-  Element element{mesh};
-  ShapedElement shape{mesh, element, measure_shape(mesh, element)};
-
-  [[nodiscard]] static Pose random_pose(Rng& rng, double radius) {
-    const dvec3 axis = glm::normalize(test::random_point(rng, 1.0));
-    return {test::random_point(rng, 0.5), orientation({0.0, 0.0, 1.0}, axis, rng.uniform()),
-            radius};
-  }
+struct World : test::ShapeWorld {
+  World() : ShapeWorld(0.3, 48) {}
 };
+
+Pose random_pose(Rng& rng, double radius) {
+  const dvec3 axis = glm::normalize(test::random_point(rng, 1.0));
+  return {test::random_point(rng, 0.5), orientation({0.0, 0.0, 1.0}, axis, rng.uniform()), radius};
+}
 
 void expect_same(const Pose& a, const Pose& b) {
   EXPECT_EQ(a.center, b.center);
@@ -37,7 +29,7 @@ void expect_same_poses(PoseOptimizer& optimizer, const World& world, double firs
   Rng starts(1, 2);
   int found = 0;
   for (std::uint64_t i = 0; i < 40; ++i) {
-    const Pose start = World::random_pose(starts, 0.1);
+    const Pose start = random_pose(starts, 0.1);
     Rng rng(3, i);
     Rng same(3, i);
     options.look = PoseOptimizer::Options::Look::at_near_ones;
@@ -57,17 +49,21 @@ TEST(PoseOptimizer, FindsTheSamePosesWithoutSpheresThatAreFarAway) {
   expect_same_poses(optimizer, world, 0.06);
 }
 
+/// Also where a sphere leaves a neighbour's lattice, and its distance jumps.
 TEST(PoseOptimizer, FindsTheSamePosesAmongNeighbours) {
   World world;
-  Surroundings surroundings;
-  surroundings.reset(dvec3(0.0), 0.5, &world.space.target_distances());
-  Rng rng(5, 6);
-  for (int i = 0; i < 12; ++i) {
-    surroundings.add(world.shape, World::random_pose(rng, 0.2));
-  }
   PoseOptimizer optimizer(world.space.distances(), 0.0);
-  optimizer.look_at(&surroundings);
-  expect_same_poses(optimizer, world, 0.06);
+  Rng rng(5, 6);
+  for (const double radius : {0.2, 0.05}) {
+    Surroundings surroundings;
+    surroundings.reset(dvec3(0.0), 0.8, &world.space.target_distances());
+    for (int i = 0; i < 24; ++i) {
+      surroundings.add(world.shape, random_pose(rng, radius));
+    }
+    optimizer.look_at(&surroundings);
+    expect_same_poses(optimizer, world, 0.06);
+    expect_same_poses(optimizer, world, 0.3);
+  }
 }
 
 }  // namespace
