@@ -111,16 +111,21 @@ class Gif : public Imaging::Film {
 
 class OpenImageIo : public Imaging {
  public:
+  /// OpenEXR's core, as its older reader takes as much memory as a damaged header claims.
+  OpenImageIo() { OIIO::attribute("openexr:core", 1); }
+
   [[nodiscard]] Picture decoded(std::string_view bytes, const fs::path& path,
                                 const SizeCheck& check_size) const override {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    // By its extension alone: else all that OpenImageIO knows would try it in turn.
+    const std::string type = path.extension().string();
     const std::unique_ptr<OIIO::ImageInput> input =
-        OIIO::ImageInput::open("picture" + path.extension().string(), nullptr, &memory);
-    if (!input) {
-      OIIO::geterror();  // it would speak of a file named "picture"
+        type.empty() ? nullptr : OIIO::ImageInput::create(type.substr(1));
+    OIIO::ImageSpec spec;
+    if (!input || !input->set_ioproxy(&memory) || !input->open(type, spec)) {
+      OIIO::geterror();  // else it would come up elsewhere
       throw Error({path}, "is not a picture that can be read", "name a PNG or EXR file");
     }
-    const OIIO::ImageSpec& spec = input->spec();
     check_size(spec.image_pixels(), spec.nchannels);
     Picture picture;
     picture.width = spec.width;

@@ -6,7 +6,7 @@ using namespace collage;
 
 /// A picture as both sides of a comparison, once as PNG and once as OpenEXR.
 COLLAGE_FUZZ_TARGET(input) {
-  limit_memory(std::uint64_t{1} << 30);
+  limit_memory(std::uint64_t{1} << 24);
   for (const char* name : {"picture.png", "picture.exr"}) {
     fuzz::accepting_errors([&] {
       const auto path = fuzz::file_with(input, name);

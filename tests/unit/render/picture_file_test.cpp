@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <sys/resource.h>
+
 #include "unit/render/support.h"
 
 namespace collage {
@@ -81,6 +83,23 @@ TEST(PictureFileErrors, a_png_with_any_bit_turned_is_an_error_and_nothing_else_i
         << at;
   }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+/// The most memory that this process has had.
+long peak_kilobytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(PictureFileErrors, an_attribute_of_an_exr_that_claims_gigabytes_does_not_get_them) {
+  using namespace std::string_literals;
+  const TestFolder folder;
+  const std::string header = "\x76\x2f\x31\x01\x02\0\0\0"s;
+  write_file(folder / "a.exr", header + "owner\0string\0\x7c\x7c\x7c\x7cx"s);
+  const long before = peak_kilobytes();
+  EXPECT_THAT(error_of([&] { read_picture(folder / "a.exr"); }), HasSubstr("is not a picture"));
+  EXPECT_LT(peak_kilobytes() - before, 1 << 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, PictureFile,
