@@ -183,9 +183,15 @@ class Check {
     }
     const fs::path path = (source_.folder / text).lexically_normal();
     std::error_code ignored;  // what cannot be looked at does not exist for us
-    if (!fs::is_regular_file(path, ignored)) {
-      throw Error(source_.place, option_.full_key(element_) + ": there is no file " + path.string(),
+    const std::string key = option_.full_key(element_) + ": ";
+    const fs::file_type type = fs::status(path, ignored).type();
+    if (type == fs::file_type::none || type == fs::file_type::not_found) {
+      throw Error(source_.place, key + "there is no file " + path.string(),
                   "check the path; it starts from the scene's folder unless it begins with /");
+    }
+    if (type != fs::file_type::regular) {
+      throw Error(source_.place, key + path.string() + " is not a regular file",
+                  "name a file, not a folder or device");
     }
     return path.string();
   }
