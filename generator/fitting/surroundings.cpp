@@ -10,6 +10,7 @@ void Surroundings::reset(const dvec3& origin, double reach, const DistanceField*
   cell_side_ = static_cast<float>(2.0 * reach / cells_per_side);
   cells_.assign(std::size_t{cells_per_side} * cells_per_side * cells_per_side, Cell{});
   candidates_.assign(1, 0);
+  nearest_before_ = 0;
 }
 
 void Surroundings::add(const ShapedElement& shape, const Pose& pose) {
@@ -56,29 +57,48 @@ Surroundings::Cell Surroundings::look_into(const glm::vec3& middle) {
     most = target_->value(glm::vec3(target_->steps(origin_ + dvec3(middle)))) + change;
   }
   float nearest_jump = 1e30F;
-  least_.clear();
-  for (const Neighbour& neighbour : neighbours_) {
+  std::size_t nearest = nearest_before_;
+  least_.assign(neighbours_.size(), 1e30F);
+  const auto look_at = [&](std::size_t n) {
+    const Neighbour& neighbour = neighbours_[n];
     const glm::vec3 arm = middle - neighbour.center;
-    const float to_ball = glm::length(arm) - neighbour.radius;
-    if (to_ball - half > most) {
-      least_.push_back(1e30F);
-      continue;
+    const float ball = neighbour.radius + half + most;
+    const float squared = glm::dot(arm, arm);
+    if (ball < 0.0F || squared > ball * ball) {
+      return;
     }
+    const float to_ball = std::sqrt(squared) - neighbour.radius;
     const glm::vec3 steps = neighbour.steps(arm);
-    const float distance = neighbour.distances->value(steps) * neighbour.radius;
     const glm::vec3 margin(half /
                            (neighbour.radius * static_cast<float>(neighbour.distances->spacing())));
     const bool all_held =
         neighbour.distances->holds(steps - margin) && neighbour.distances->holds(steps + margin);
-    if (all_held) {
-      least_.push_back(distance - change);
-      most = std::min(most, distance + change);
-    } else {
-      least_.push_back(std::min(distance - change, to_ball - half));
-      most = std::min(most, std::max(distance + change, to_ball + half));
-      nearest_jump = std::min(nearest_jump, least_.back());
+    if (all_held && neighbour.minima->below(steps) * neighbour.radius - change > most) {
+      return;
+    }
+    const float distance = neighbour.distances->value(steps) * neighbour.radius;
+    float greatest = distance + change;
+    least_[n] = distance - change;
+    if (!all_held) {
+      greatest = std::max(greatest, to_ball + half);
+      least_[n] = std::min(least_[n], to_ball - half);
+      nearest_jump = std::min(nearest_jump, least_[n]);
+    }
+    if (greatest < most) {
+      most = greatest;
+      nearest = n;
+    }
+  };
+  // Most of the others are out of reach as soon as one is known that is near, as often is that
+  // which was the nearest in the cell before.
+  const std::size_t first = nearest_before_;
+  look_at(first);
+  for (std::size_t n = 0; n < neighbours_.size(); ++n) {
+    if (n != first) {
+      look_at(n);
     }
   }
+  nearest_before_ = nearest;
   Cell cell{static_cast<std::uint32_t>(candidates_.size()), 0, nearest_jump};
   for (const std::uint32_t n : all_) {
     if (least_[n] <= most) {

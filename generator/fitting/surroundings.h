@@ -78,6 +78,8 @@ class Surroundings {
   std::vector<std::uint32_t> candidates_;
   /// By neighbour, what its distance is at least in the cell that is looked into.
   std::vector<float> least_;
+  /// In the cell that was looked into before.
+  std::size_t nearest_before_ = 0;
 };
 
 }  // namespace collage
