@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <OpenImageIO/color.h>
@@ -72,6 +73,30 @@ int scaled(int length, double scale) {
   return std::max(1, static_cast<int>(std::lround(length * scale)));
 }
 
+/// Reads from memory; OpenImageIO's own reader also reads what lies before it, where a damaged file
+/// says so.
+class Memory : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit Memory(std::string_view bytes) : IOProxy("", Read), bytes_(bytes) {}
+
+  [[nodiscard]] const char* proxytype() const override { return "memory"; }
+  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
+  std::size_t read(void* to, std::size_t size) override {
+    const std::size_t done = pread(to, size, m_pos);
+    m_pos += static_cast<std::int64_t>(done);
+    return done;
+  }
+  std::size_t pread(void* to, std::size_t size, std::int64_t offset) override {
+    if (offset < 0 || static_cast<std::uint64_t>(offset) >= bytes_.size()) {
+      return 0;
+    }
+    return bytes_.copy(static_cast<char*>(to), size, static_cast<std::size_t>(offset));
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
 class Gif : public Imaging::Film {
  public:
   Gif(const fs::path& file, std::size_t frames, double frames_per_second, const fs::path& path)
@@ -116,7 +141,7 @@ class OpenImageIo : public Imaging {
 
   [[nodiscard]] Picture decoded(std::string_view bytes, const fs::path& path,
                                 const SizeCheck& check_size) const override {
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    Memory memory(bytes);
     // By its extension alone: else all that OpenImageIO knows would try it in turn.
     const std::string type = path.extension().string();
     const std::unique_ptr<OIIO::ImageInput> input =
