@@ -19,15 +19,6 @@ double dot(const LinearProgram::Vector& a, const LinearProgram::Vector& b) {
 
 }  // namespace
 
-void LinearProgram::grow() {
-  const std::size_t capacity = std::max<std::size_t>(64, 2 * limits_.size());
-  for (std::vector<float>& column : columns_) {
-    column.resize(capacity);
-  }
-  limits_.resize(capacity);
-  excess_.resize(capacity);
-}
-
 void LinearProgram::start_in_best_corner() {
   for (std::size_t v = 0; v < variables; ++v) {
     const bool rising = objective[v] >= 0.0;
@@ -39,33 +30,35 @@ void LinearProgram::start_in_best_corner() {
 }
 
 bool LinearProgram::find_most_violated(Entering& entering) {
-  float* excess = excess_.data();
-  for (std::size_t c = 0; c < count_; ++c) {
-    excess[c] = -limits_[c];
-  }
+  std::array<Four, variables> x;
   for (std::size_t v = 0; v < variables; ++v) {
-    const auto x = static_cast<float>(x_[v]);
-    const float* column = columns_[v].data();
-    for (std::size_t c = 0; c < count_; ++c) {
-      excess[c] += column[c] * x;
-    }
+    x[v] = all_four(static_cast<float>(x_[v]));
   }
-  auto worst = static_cast<float>(tolerance);
-  std::size_t found = count_;
-  for (std::size_t c = 0; c < count_; ++c) {
-    if (excess[c] > worst) {
-      worst = excess[c];
-      found = c;
+  Four greatest = all_four(static_cast<float>(tolerance));
+  const std::size_t blocks = blocks_in_use();
+  for (std::size_t b = 0; b < blocks; ++b) {
+    Block& block = blocks_[b];
+    Four excess = -block.limits;
+    for (std::size_t v = 0; v < variables; ++v) {
+      excess += block.coefficients[v] * x[v];
     }
+    block.excess = excess;
+    greatest = larger(excess, greatest);
+  }
+  const float worst = std::max({greatest[0], greatest[1], greatest[2], greatest[3]});
+  bool violated = worst > static_cast<float>(tolerance);
+  if (violated) {
+    std::size_t found = 0;
+    while (blocks_[found / four_lanes].excess[found % four_lanes] != worst) {
+      ++found;
+    }
+    const Block& block = blocks_[found / four_lanes];
+    for (std::size_t v = 0; v < variables; ++v) {
+      entering.normal[v] = block.coefficients[v][found % four_lanes];
+    }
+    entering.limit = block.limits[found % four_lanes];
   }
   double most = worst;
-  bool violated = found < count_;
-  if (violated) {
-    for (std::size_t v = 0; v < variables; ++v) {
-      entering.normal[v] = columns_[v][found];
-    }
-    entering.limit = limits_[found];
-  }
   for (std::size_t v = 0; v < variables; ++v) {
     for (const double sign : {1.0, -1.0}) {
       const double limit = sign > 0.0 ? highest[v] : -lowest[v];

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
+#include <limits>
 #include <vector>
+
+#include "geometry/four.h"
 
 namespace collage {
 
@@ -27,13 +29,19 @@ class LinearProgram {
   void clear() { count_ = 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
   void add(const std::array<float, variables>& coefficients, float limit) {
-    if (count_ == limits_.size()) {
-      grow();
+    const std::size_t lane = count_++ % four_lanes;
+    if (lane == 0) {
+      if (blocks_in_use() > blocks_.size()) {
+        blocks_.emplace_back();
+      }
+      // What the other lanes have is kept by any x.
+      blocks_[blocks_in_use() - 1].limits = all_four(std::numeric_limits<float>::infinity());
     }
+    Block& block = blocks_[blocks_in_use() - 1];
     for (std::size_t v = 0; v < variables; ++v) {
-      columns_[v][count_] = coefficients[v];
+      block.coefficients[v][lane] = coefficients[v];
     }
-    limits_[count_++] = limit;
+    block.limits[lane] = limit;
   }
 
   /// False where nothing satisfies all constraints to 1e-5, or rounding stands in the way.
@@ -46,7 +54,13 @@ class LinearProgram {
     Vector normal;
     double limit;
   };
-  void grow();
+  /// Four constraints, and by how much x violates them.
+  struct Block {
+    std::array<Four, variables> coefficients{};
+    Four limits{};
+    Four excess{};
+  };
+  [[nodiscard]] std::size_t blocks_in_use() const { return (count_ + four_lanes - 1) / four_lanes; }
   void start_in_best_corner();
   /// False where no constraint is violated.
   bool find_most_violated(Entering& entering);
@@ -54,9 +68,7 @@ class LinearProgram {
   bool pivot(const Entering& entering);
 
   std::size_t count_ = 0;
-  std::array<std::vector<float>, variables> columns_;
-  std::vector<float> limits_;
-  std::vector<float> excess_;
+  std::vector<Block> blocks_;
   Vector x_{};
   /// For each constraint of the basis how x moves, per unit of its limit, along all others.
   std::array<Vector, variables> edges_{};
