@@ -108,7 +108,7 @@ class Check {
   }
 
   [[nodiscard]] std::vector<double> size() const {
-    const std::vector<double> list = numbers();
+    std::vector<double> list = numbers();
     if (list.size() != 2 || std::floor(list[0]) != list[0] || std::floor(list[1]) != list[1]) {
       refuse("is not a width and a height");
     }

@@ -11,7 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::cut_in_half;
-using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
 using testing::plain_picture;
