@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include "base/error.h"
 #include "render/imaging.h"
@@ -142,10 +143,12 @@ class OpenImageIo : public Imaging {
   [[nodiscard]] Picture decoded(std::string_view bytes, const fs::path& path,
                                 const SizeCheck& check_size) const override {
     Memory memory(bytes);
-    // By its extension alone: else all that OpenImageIO knows would try it in turn.
-    const std::string type = path.extension().string();
+    // One reader alone: else all that OpenImageIO knows would try it in turn.
+    const bool is_png = OIIO::Strutil::iequals(path.extension().string(), ".png");
+    const bool is_exr = OIIO::Strutil::iequals(path.extension().string(), ".exr");
+    const std::string type = is_png ? "png" : "openexr";
     const std::unique_ptr<OIIO::ImageInput> input =
-        type.empty() ? nullptr : OIIO::ImageInput::create(type.substr(1));
+        is_png || is_exr ? OIIO::ImageInput::create(type) : nullptr;
     OIIO::ImageSpec spec;
     if (!input || !input->set_ioproxy(&memory) || !input->open(type, spec)) {
       OIIO::geterror();  // else it would come up elsewhere
@@ -156,8 +159,7 @@ class OpenImageIo : public Imaging {
     picture.width = spec.width;
     picture.height = spec.height;
     picture.channels = spec.nchannels;
-    picture.format = std::string_view(input->format_name()) == "openexr" ? PictureFormat::exr
-                                                                         : PictureFormat::png;
+    picture.format = is_exr ? PictureFormat::exr : PictureFormat::png;
     picture.key = spec.get_string_attribute(key_name);
     picture.values.resize(picture.pixels() * static_cast<std::size_t>(picture.channels));
     if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, picture.values.data())) {

@@ -110,6 +110,13 @@ TEST(PictureFileErrors, name_the_file) {
   write_file(folder / "text.png", "hello");
   EXPECT_THAT(error_of([&] { read_picture(folder / "text.png"); }), HasSubstr("is not a picture"));
   EXPECT_THAT(error_of([&] { read_picture(folder.path()); }), HasSubstr("not a regular file"));
+  write_picture(folder / "a.png", gradient(PictureFormat::png));
+  for (const char* other : {"a.exr", "a.tif", "a.", "a"}) {
+    fs::copy_file(folder / "a.png", folder / other);
+    EXPECT_THAT(error_of([&] { read_picture(folder / other); }), HasSubstr("is not a picture"));
+  }
+  fs::copy_file(folder / "a.png", folder / "A.PNG");
+  EXPECT_EQ(read_picture(folder / "A.PNG").format, PictureFormat::png);
 }
 
 TEST(PictureFileErrors, not_a_number_survives_in_an_exr) {
