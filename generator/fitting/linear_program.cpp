@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace collage {
 namespace {
@@ -35,9 +36,8 @@ bool LinearProgram::find_most_violated(Entering& entering) {
     x[v] = all_four(static_cast<float>(x_[v]));
   }
   Four greatest = all_four(static_cast<float>(tolerance));
-  const std::size_t blocks = blocks_in_use();
-  for (std::size_t b = 0; b < blocks; ++b) {
-    Block& block = blocks_[b];
+  const std::size_t blocks = (count_ + four_lanes - 1) / four_lanes;
+  for (Block& block : std::span(blocks_).first(blocks)) {
     Four excess = -block.limits;
     for (std::size_t v = 0; v < variables; ++v) {
       excess += block.coefficients[v] * x[v];

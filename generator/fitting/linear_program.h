@@ -29,19 +29,21 @@ class LinearProgram {
   void clear() { count_ = 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
   void add(const std::array<float, variables>& coefficients, float limit) {
-    const std::size_t lane = count_++ % four_lanes;
-    if (lane == 0) {
-      if (blocks_in_use() > blocks_.size()) {
-        blocks_.emplace_back();
-      }
-      // What the other lanes have is kept by any x.
-      blocks_[blocks_in_use() - 1].limits = all_four(std::numeric_limits<float>::infinity());
+    const std::size_t index = count_ / four_lanes;
+    const std::size_t lane = count_ % four_lanes;
+    if (index == blocks_.size()) {
+      blocks_.emplace_back();
     }
-    Block& block = blocks_[blocks_in_use() - 1];
+    Block& block = blocks_[index];
+    if (lane == 0) {
+      // What the lanes yet to come have is kept by any x.
+      block.limits = all_four(std::numeric_limits<float>::infinity());
+    }
     for (std::size_t v = 0; v < variables; ++v) {
       block.coefficients[v][lane] = coefficients[v];
     }
     block.limits[lane] = limit;
+    ++count_;
   }
 
   /// False where nothing satisfies all constraints to 1e-5, or rounding stands in the way.
@@ -60,7 +62,6 @@ class LinearProgram {
     Four limits{};
     Four excess{};
   };
-  [[nodiscard]] std::size_t blocks_in_use() const { return (count_ + four_lanes - 1) / four_lanes; }
   void start_in_best_corner();
   /// False where no constraint is violated.
   bool find_most_violated(Entering& entering);

@@ -57,7 +57,6 @@ Surroundings::Cell Surroundings::look_into(const glm::vec3& middle) {
     most = target_->value(glm::vec3(target_->steps(origin_ + dvec3(middle)))) + change;
   }
   float nearest_jump = 1e30F;
-  std::size_t nearest = nearest_before_;
   least_.assign(neighbours_.size(), 1e30F);
   const auto look_at = [&](std::size_t n) {
     const Neighbour& neighbour = neighbours_[n];
@@ -86,7 +85,7 @@ Surroundings::Cell Surroundings::look_into(const glm::vec3& middle) {
     }
     if (greatest < most) {
       most = greatest;
-      nearest = n;
+      nearest_before_ = n;
     }
   };
   // Most of the others are out of reach as soon as one is known that is near, as often is that
@@ -98,7 +97,6 @@ Surroundings::Cell Surroundings::look_into(const glm::vec3& middle) {
       look_at(n);
     }
   }
-  nearest_before_ = nearest;
   Cell cell{static_cast<std::uint32_t>(candidates_.size()), 0, nearest_jump};
   for (const std::uint32_t n : all_) {
     if (least_[n] <= most) {

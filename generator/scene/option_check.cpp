@@ -184,12 +184,12 @@ class Check {
     const fs::path path = (source_.folder / text).lexically_normal();
     std::error_code ignored;  // what cannot be looked at does not exist for us
     const std::string key = option_.full_key(element_) + ": ";
-    const fs::file_type type = fs::status(path, ignored).type();
-    if (type == fs::file_type::none || type == fs::file_type::not_found) {
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status)) {
       throw Error(source_.place, key + "there is no file " + path.string(),
                   "check the path; it starts from the scene's folder unless it begins with /");
     }
-    if (type != fs::file_type::regular) {
+    if (!fs::is_regular_file(status)) {
       throw Error(source_.place, key + path.string() + " is not a regular file",
                   "name a file, not a folder or device");
     }

@@ -110,6 +110,10 @@ TEST(PictureFileErrors, name_the_file) {
   write_file(folder / "text.png", "hello");
   EXPECT_THAT(error_of([&] { read_picture(folder / "text.png"); }), HasSubstr("is not a picture"));
   EXPECT_THAT(error_of([&] { read_picture(folder.path()); }), HasSubstr("not a regular file"));
+}
+
+TEST(PictureFileErrors, one_is_read_as_what_its_name_says) {
+  const TestFolder folder;
   write_picture(folder / "a.png", gradient(PictureFormat::png));
   for (const char* other : {"a.exr", "a.tif", "a.", "a"}) {
     fs::copy_file(folder / "a.png", folder / other);
