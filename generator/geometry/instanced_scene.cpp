@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 #include "geometry/bounding_sphere.h"
 #include "geometry/embree_scene.h"
 #include "geometry/shapes_of.h"
@@ -45,11 +47,10 @@ struct InstancedScene::Hierarchy {
         scene(geometries(instances), RTC_SCENE_FLAG_ROBUST, EmbreeScene::Build::all_threads) {}
 
   [[nodiscard]] std::vector<RTCGeometry> geometries(std::span<const Instance> instances) const {
-    std::vector<RTCGeometry> result;
-    result.reserve(instances.size());
-    for (const Instance& instance : instances) {
-      result.push_back(embree_instance(*shapes[instance.element], instance));
-    }
+    std::vector<RTCGeometry> result(instances.size());
+    tbb::parallel_for(std::size_t{0}, instances.size(), [&](std::size_t i) {
+      result[i] = embree_instance(*shapes[instances[i].element], instances[i]);
+    });
     return result;
   }
 };

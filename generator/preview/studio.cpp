@@ -42,24 +42,31 @@ struct Across {
 
 /// A bright window: 1 inside a rectangle of `width_degrees` x `height_degrees`, with edges that
 /// fade over `blur`, a share of half its width.
-struct Window {
-  dvec3 direction;
-  double width_degrees;
-  double height_degrees;
-  double blur;
+class Window {
+ public:
+  Window(const dvec3& direction, double width_degrees, double height_degrees, double blur)
+      : direction_(direction), blur_(blur) {
+    const Across across(direction);
+    side_ = across.side / std::tan(glm::radians(0.5 * width_degrees));
+    over_ = across.over / std::tan(glm::radians(0.5 * height_degrees));
+  }
 
   [[nodiscard]] double brightness(const dvec3& seen) const {
-    const double ahead = glm::dot(seen, direction);
+    const double ahead = glm::dot(seen, direction_);
     if (ahead < 0.05) {
       return 0.0;
     }
-    const Across across(direction);
-    const double x =
-        std::abs(glm::dot(seen, across.side)) / ahead / std::tan(glm::radians(0.5 * width_degrees));
-    const double y = std::abs(glm::dot(seen, across.over)) / ahead /
-                     std::tan(glm::radians(0.5 * height_degrees));
-    return std::clamp((1.0 - x) / blur, 0.0, 1.0) * std::clamp((1.0 - y) / blur, 0.0, 1.0);
+    const double x = std::abs(glm::dot(seen, side_)) / ahead;
+    const double y = std::abs(glm::dot(seen, over_)) / ahead;
+    return std::clamp((1.0 - x) / blur_, 0.0, 1.0) * std::clamp((1.0 - y) / blur_, 0.0, 1.0);
   }
+
+ private:
+  dvec3 direction_;
+  /// 1 at the rectangle's edge, a unit ahead.
+  dvec3 side_;
+  dvec3 over_;
+  double blur_;
 };
 
 const Window key_window{key, 34, 42, 0.12};
