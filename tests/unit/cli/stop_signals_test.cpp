@@ -7,14 +7,25 @@
 namespace collage {
 namespace {
 
-TEST(StopSignals, TurnASignalIntoARequest) {
+/// A shell starts what runs in the background with SIGINT ignored.
+class StopSignalsTest : public ::testing::Test {
+ protected:
+  void SetUp() override { before_ = std::signal(SIGINT, SIG_DFL); }
+  void TearDown() override { std::signal(SIGINT, before_); }
+
+ private:
+  void (*before_)(int) = SIG_DFL;
+};
+using StopSignalsDeathTest = StopSignalsTest;
+
+TEST_F(StopSignalsTest, TurnASignalIntoARequest) {
   const StopSignals signals;
   EXPECT_FALSE(StopSignals::requested());
   std::raise(SIGINT);
   EXPECT_TRUE(StopSignals::requested());
 }
 
-TEST(StopSignals, AnOfferTakesOneCtrlC) {
+TEST_F(StopSignalsTest, AnOfferTakesOneCtrlC) {
   const StopSignals signals;
   {
     const FinishOffer offer;
@@ -26,7 +37,7 @@ TEST(StopSignals, AnOfferTakesOneCtrlC) {
   }
 }
 
-TEST(StopSignals, AnOfferDoesNotTakeSigtermNorWhatComesAfterIt) {
+TEST_F(StopSignalsTest, AnOfferDoesNotTakeSigtermNorWhatComesAfterIt) {
   {
     const StopSignals signals;
     const FinishOffer offer;
@@ -40,7 +51,7 @@ TEST(StopSignals, AnOfferDoesNotTakeSigtermNorWhatComesAfterIt) {
   EXPECT_FALSE(StopSignals::finish_requested());
 }
 
-TEST(StopSignals, ForgetAnEarlierRequest) {
+TEST_F(StopSignalsTest, ForgetAnEarlierRequest) {
   {
     const StopSignals signals;
     std::raise(SIGTERM);
@@ -49,7 +60,7 @@ TEST(StopSignals, ForgetAnEarlierRequest) {
   EXPECT_FALSE(StopSignals::requested());
 }
 
-TEST(StopSignalsDeathTest, EndTheProgramAtTheSecond) {
+TEST_F(StopSignalsDeathTest, EndTheProgramAtTheSecond) {
   const StopSignals signals;
   EXPECT_EXIT(
       {
@@ -59,7 +70,7 @@ TEST(StopSignalsDeathTest, EndTheProgramAtTheSecond) {
       testing::KilledBySignal(SIGTERM), "");
 }
 
-TEST(StopSignalsDeathTest, PutBackWhatWasThereBefore) {
+TEST_F(StopSignalsDeathTest, PutBackWhatWasThereBefore) {
   EXPECT_EXIT(
       {
         { const StopSignals signals; }
@@ -68,14 +79,11 @@ TEST(StopSignalsDeathTest, PutBackWhatWasThereBefore) {
       testing::KilledBySignal(SIGINT), "");
 }
 
-TEST(StopSignals, LeaveAnIgnoredSignalIgnored) {
-  auto* const before = std::signal(SIGINT, SIG_IGN);
-  {
-    const StopSignals signals;
-    std::raise(SIGINT);
-    EXPECT_FALSE(StopSignals::requested());
-  }
-  std::signal(SIGINT, before);
+TEST_F(StopSignalsTest, LeaveAnIgnoredSignalIgnored) {
+  std::signal(SIGINT, SIG_IGN);
+  const StopSignals signals;
+  std::raise(SIGINT);
+  EXPECT_FALSE(StopSignals::requested());
 }
 
 }  // namespace
