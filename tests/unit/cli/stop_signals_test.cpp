@@ -10,11 +10,10 @@ namespace {
 /// A shell starts what runs in the background with SIGINT ignored.
 class StopSignalsTest : public ::testing::Test {
  protected:
-  void SetUp() override { before_ = std::signal(SIGINT, SIG_DFL); }
-  void TearDown() override { std::signal(SIGINT, before_); }
+  ~StopSignalsTest() override { std::signal(SIGINT, before_); }
 
  private:
-  void (*before_)(int) = SIG_DFL;
+  void (*const before_)(int) = std::signal(SIGINT, SIG_DFL);
 };
 using StopSignalsDeathTest = StopSignalsTest;
 
