@@ -13,6 +13,9 @@ namespace fs = std::filesystem;
 
 fs::path find_scene(const std::string& name) {
   if (fs::exists(name)) {
+    if (fs::is_regular_file(name) && fs::path(name).extension() != ".toml") {
+      throw Error({name}, "is no scene", "name a scene.toml or its folder");
+    }
     return name;
   }
   const fs::path data = data_folder(data_places());
