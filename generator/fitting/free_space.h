@@ -44,13 +44,14 @@ class FreeSpace {
   /// number.
   void add(const ShapedElement& shape, const Pose& pose, std::uint32_t instance);
 
-  /// Calls `visit(instance)` for all instances added that come within `reach` of `center`, some
-  /// others, and some more than once.
+  /// Calls `visit(instance)` for all instances added, from number `first` on, that come within
+  /// `reach` of `center`, some others, and some more than once.
   template <class Visit>
-  void visit_near(const dvec3& center, double reach, Visit&& visit) const {
+  void visit_near(const dvec3& center, double reach, std::uint32_t first, Visit&& visit) const {
     for_blocks_near(center, reach, [&](std::size_t block) {
-      for (const std::uint32_t instance : residents_[block]) {
-        visit(instance);
+      const std::vector<std::uint32_t>& residents = residents_[block];
+      for (auto last = residents.rbegin(); last != residents.rend() && *last >= first; ++last) {
+        visit(*last);
       }
     });
   }
@@ -101,6 +102,7 @@ class FreeSpace {
   DistanceField target_distances_;
   glm::ivec3 blocks_{0};
   std::vector<float> maxima_;
+  /// By block, rising.
   std::vector<std::vector<std::uint32_t>> residents_;
   std::vector<std::size_t> changed_;
   float largest_ = -1.0F;

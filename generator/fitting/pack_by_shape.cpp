@@ -43,11 +43,13 @@ class ShapePacker {
   void add_vacancy(std::uint32_t kind, const FreeSpace::Peak& peak);
   [[nodiscard]] double apart(double clearance) const;
   [[nodiscard]] double least_radius(const Kind& kind, const dvec3& at) const;
+  [[nodiscard]] bool is_too_small(const Kind& kind, double clearance, const dvec3& at) const;
 
   [[nodiscard]] std::optional<std::uint32_t> next_kind();
   [[nodiscard]] std::optional<std::uint32_t> next_element(std::uint32_t kind,
                                                           const Pose& pose) const;
   [[nodiscard]] std::optional<Id> next_vacancy(std::uint32_t kind);
+  bool is_as_listed(Vacancy& vacancy) const;
   void open_batch(std::uint32_t kind, const Status& status);
   void open(Vacancy& vacancy, std::uint64_t stream);
   void fill(Id id);
@@ -126,14 +128,18 @@ double ShapePacker::least_radius(const Kind& kind, const dvec3& at) const {
   return std::max(kind.least_radius, threshold * longest_side_);
 }
 
+/// An element's thickest part must go into the hole, or next to it.
+bool ShapePacker::is_too_small(const Kind& kind, double clearance, const dvec3& at) const {
+  const double voxel = space_.distances().spacing();
+  const double thickness = std::min(0.5, kind.shape->inscribed().radius);
+  return clearance < std::max(0.6 * voxel, 0.7 * thickness * kind.least_radius) ||
+         kind.outlook.is_hopeless(clearance, least_radius(kind, at));
+}
+
 void ShapePacker::add_vacancy(std::uint32_t k, const FreeSpace::Peak& peak) {
   Kind& kind = kinds_[k];
   const double clearance = peak.distance - spacing_;
-  // An element's thickest part must go into the hole, or next to it.
-  const double voxel = space_.distances().spacing();
-  const double thickness = std::min(0.5, kind.shape->inscribed().radius);
-  if (clearance < std::max(0.6 * voxel, 0.7 * thickness * kind.least_radius) ||
-      kind.outlook.is_hopeless(clearance, least_radius(kind, peak.position)) ||
+  if (is_too_small(kind, clearance, peak.position) ||
       !kind.holes.insert(peak.position, apart(clearance))) {
     return;
   }
@@ -158,18 +164,43 @@ void ShapePacker::add_holes(const std::vector<FreeSpace::Peak>& peaks) {
   }
 }
 
-/// The most promising place of a kind, with a pose that still fits or without one. Those that have
-/// lost theirs to what has come near are put back for what is left of such places as a rule, and
-/// wait for their turn: opened at once they would lose the next pose too.
+/// Whether a place without a pose is about as large as when it was listed or last opened; if not,
+/// what it promises falls with its clearance.
+bool ShapePacker::is_as_listed(Vacancy& vacancy) const {
+  constexpr double about = 0.8;
+  if (vacancy.host) {
+    return true;
+  }
+  const FreeSpace::Peak peak = space_.climb(vacancy.hole);
+  const double clearance = peak.distance - spacing_;
+  if (clearance >= about * vacancy.clearance) {
+    return true;
+  }
+  vacancy.key *= std::max(0.0, clearance) / vacancy.clearance;
+  vacancy.hole = peak.position;
+  vacancy.clearance = clearance;
+  return false;
+}
+
+/// The most promising place of a kind, with a pose that still fits or without one. What has come
+/// near since is seen only here, when a place's turn has come: then it is put back for what is left
+/// of it, and waits for another turn, as opened at once it would lose the next pose too; or it is
+/// given up.
 std::optional<ShapePacker::Id> ShapePacker::next_vacancy(std::uint32_t k) {
   constexpr double left = 0.87;
+  const Kind& kind = kinds_[k];
   while (const auto id = queue_.top(k)) {
     Vacancy& vacancy = queue_[*id];
-    if (!vacancy.has_pose || fitter_.is_ready(vacancy, kinds_[k])) {
+    const bool had_pose = vacancy.has_pose;
+    if (had_pose ? fitter_.is_ready(vacancy, kind) : is_as_listed(vacancy)) {
       return id;
     }
     queue_.pop(k);
-    vacancy.key *= left;
+    if (had_pose) {
+      vacancy.key *= left;
+    } else if (is_too_small(kind, vacancy.clearance, vacancy.hole)) {
+      continue;
+    }
     queue_.push(*id);
   }
   return std::nullopt;
@@ -367,15 +398,18 @@ void ShapePacker::report(double key, Status& status) {
 /// Fills places until none is left, or it is asked to finish.
 void ShapePacker::work_off(Status& status) {
   while (const auto kind = next_kind()) {
-    const Id id = *next_vacancy(*kind);
-    first_key_ = std::max(first_key_, queue_[id].key);
-    report(queue_[id].key, status);
+    const auto id = next_vacancy(*kind);
+    if (!id) {
+      continue;
+    }
+    first_key_ = std::max(first_key_, queue_[*id].key);
+    report(queue_[*id].key, status);
     if (placed_.size() > 0 && status.finish_requested()) {
       complete_ = false;
       return;
     }
-    if (queue_[id].has_pose) {
-      fill(id);
+    if (queue_[*id].has_pose) {
+      fill(*id);
     } else {
       open_batch(*kind, status);
     }

@@ -13,9 +13,13 @@ void PlacedShapes::add(const ShapedElement& shape, const Pose& pose, const Insta
 
 void PlacedShapes::find_near(const dvec3& center, double reach, std::uint32_t first,
                              std::vector<std::uint32_t>& ids) const {
+  constexpr double rounding = 1.0 + 1e-6;
   ids.clear();
-  space_.visit_near(center, reach, [&](std::uint32_t other) {
-    if (other >= first) {
+  space_.visit_near(center, reach, first, [&](std::uint32_t other) {
+    const Pose& pose = poses_[other];
+    const dvec3 arm = center - pose.center;
+    const double ball = rounding * (reach + pose.radius);
+    if (glm::dot(arm, arm) <= ball * ball) {
       ids.push_back(other);
     }
   });

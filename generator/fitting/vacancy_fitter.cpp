@@ -14,8 +14,9 @@ constexpr std::uint64_t opening_stream = 0x6f70656e696e67ULL;
 /// gets its share.
 double effort(double size_over_least, double share) {
   constexpr double exponent = 2.4;
-  constexpr double most = 400.0;
-  return std::max(1.0, share * std::min(most, std::pow(size_over_least, exponent)));
+  constexpr double at_least_size = 2.0;
+  constexpr double most = 800.0;
+  return std::max(1.0, share * std::min(most, at_least_size * std::pow(size_over_least, exponent)));
 }
 
 }  // namespace

@@ -85,14 +85,17 @@ TEST(FreeSpace, KnowsWhoIsNear) {
   for (const Pose& pose : poses()) {
     world.space.add(world.shape, pose, added++);
   }
-  const auto near = [&](const dvec3& center, double reach, std::uint32_t wanted) {
+  const auto near = [&](const dvec3& center, double reach, std::uint32_t wanted,
+                        std::uint32_t first = 0) {
     bool found = false;
-    world.space.visit_near(center, reach, [&](std::uint32_t i) { found = found || i == wanted; });
+    world.space.visit_near(center, reach, first, [&](std::uint32_t i) { found |= i == wanted; });
     return found;
   };
   EXPECT_TRUE(near(poses()[0].center, 0.01, 0));
   EXPECT_TRUE(near(poses()[1].center, 0.01, 1));
   EXPECT_FALSE(near({0.8, -0.6, -0.6}, 0.01, 1));
+  EXPECT_TRUE(near(poses()[1].center, 0.01, 1, 1));
+  EXPECT_FALSE(near(poses()[0].center, 0.01, 0, 1));
 }
 
 TEST(FreeSpace, KnowsAnInstanceWhereItsSolidIs) {
@@ -106,7 +109,7 @@ TEST(FreeSpace, KnowsAnInstanceWhereItsSolidIs) {
   for (int i = 0; i < 5000; ++i) {
     const dvec3 point = pose.center + test::random_point(rng, pose.radius);
     bool known = false;
-    space.visit_near(point, 1e-6, [&](std::uint32_t) { known = true; });
+    space.visit_near(point, 1e-6, 0, [&](std::uint32_t) { known = true; });
     const bool solid = world.signed_distance(pose, point) <= 0.0;
     EXPECT_TRUE(known || !solid);
     inside += solid ? 1 : 0;
